@@ -1,4 +1,3 @@
-position-at = position { $position }, { $at }
 
 # The terminal UI: what each command does; .hint: its name in the last rows .end: there at the right; .also: other words under which it is looked for.
 do-next-position = the next position
@@ -249,7 +248,6 @@ add-loads = This scene has no loads, so there are no forces. Add to the scene, f
 
     or gravity = "9.81 m/s^2" and masses. Then { $key } reads it again.
 forces-over-time = In a motion from an initial state forces belong to its instants, not to the positions: assur analyze SCENE gives them over time.
-no-motion-found = The motion that the scene asks for was not found:
 no-forces-found = There are no forces, since the motion that the scene asks for was not found:
 nothing-here = this scene has nothing for this view
 
@@ -274,13 +272,6 @@ config-panels = views beside the chosen one from 120 columns, as many as there i
 # The views.
 screen-too-small = needs { $width } x { $height }, has { $columns } x { $rows }
 config-fault = The configuration could not be used; the defaults apply. Press any key.
-arrow-velocity = velocity
-arrow-acceleration = acceleration
-arrow-first = PF1: for unit speed
-arrow-second = PF2: for unit speed
-contact-friction = Ff
-contact-forces = force of the contact: { $size }
-arrow-told = { $what }: { $size }
 no-analysis = no analysis: { $reason }
 forces-not-determined = no forces are determined in this position
 forces-by-cause = by cause: { $reaction } (Up/Down: another pair)
@@ -290,28 +281,15 @@ forces-whole = whole, by `{ $method }`
 forces-more-causes = { "." }. { $count } more together
 forces-sum = sum
 forces-pair = force of the pair
-forces-analyzer = force analyzer: { $method }
-forces-calculating = force analyzer: { $method }; the difference is being calculated
-forces-two-analyzers = 1 { $one } (line)  2 { $other } (stars)   largest difference { $difference }
-forces-hodograph = hodograph: { $reaction }
-curve-zero = zero
-curve-extreme = extreme
-curve-inflection = inflection
 curve-signs = o extreme  x zero  + inflection
-curve-compared = { $quantity }   1 { $one } (line)  2 { $other } (stars)
-curve-before = { $quantity }   1 now (line)  2 before (dots)
 curve-greatest = greatest
 curve-least = least
 curve-at = at, { $unit }
 curve-unlimited = unbounded towards
 curve-mean = mean
 curve-rms = rms
-drive-title = drive
 drive-warning-more = ({ $key } { $key }: whole)
 drive-no-motor = this regime has no motor from a catalogue
-places-heading = drive with its flywheel on either shaft
-regime-reduced = reduced to { $point }: F { $force }, m { $mass }
-motion-none = no [motion] in the scene, so only J and Q; add it, with speed = "60 rpm"
 panel-coordinate = coordinate { $value }
 panel-speed = speed { $value }
 panel-balance = balance { $value }
@@ -328,10 +306,8 @@ picker-scenes = Shipped scenes: type to search, Tab or { $line }open FILE for a 
 picker-quantities = Quantities for the chart: type to search, Tab marks several
 picker-motors = Motors of at least { $power }{ $limit }: kW, rpm no load/rated, ratio, breakdown/load, kg
 picker-motors-limit = { "," } at most { $speed }
-plans-no-construction = no method with a construction fits here
 plans-key = F load  R reaction  .. inside the group
 plans-open = left open: { $open } of the greatest
-plans-step = { $construction }, step { $step }
 plans-step-of = step { $step } of { $count } ({ $key } draws the next)
 structure-mobility = mobility W = 3 n - 2 p = 3 * { $links } - 2 * { $pairs } = { $mobility };  mechanism of class { $class }
 structure-nearest = nearest to singular: { $determinant } at position { $position }, { $group }
@@ -371,8 +347,6 @@ accuracy-starts = { $key } measures every method here: speed, accuracy, stabilit
 
 # Messages of the terminal UI.
 say-no-position = there is no position { $position }: the last one is { $last }
-say-misses = no assembly: misses by { $gap } in { $place }; { $group }
-say-no-assembly = no assembly: { $reason }
 say-too-many-parts = error: the scene has { $parts } links, points, slides and loads, and drawings, the note and the terminal UI show at most { $most }; `assur analyze { $scene }` has no such bound
 say-too-many-positions = error: the scene has { $positions } positions, and the terminal UI shows at most { $most } of this one; take fewer `positions` in [input], or write them all: assur analyze { $scene } -o positions.parquet
 say-extreme-greatest = greatest { $quantity }: { $value } { $place }
@@ -385,7 +359,6 @@ say-nowhere-back = there is no earlier view to go back to
 say-nothing-searched = nothing was searched yet: { $key } searches
 say-one-analyzer = no other force analyzer suits this scene
 say-motor-replaced = the motor of the scene is replaced by { $motor }; { $undo } takes it back
-say-misses-beyond = no assembly: misses by { $gap } in { $place }; { $group }; it exists from { $from } to { $to }
 say-no-extreme = this view has no quantity with a greatest and a least value
 say-pace = { $pace } positions a second
 say-group-nowhere = this group can't be assembled in any position
@@ -450,7 +423,6 @@ draw-no-position = there is no position { $position }; they are numbered 0 to { 
 draw-no-parts = the view `{ $view }` has no parts
 draw-no-part = there is no part `{ $part }` of this view; its parts are { $parts }
 draw-svg-alone = --animate writes SVG alone: name a file that ends in .svg
-screen-no-terminal = error: the terminal UI needs a terminal; `assur analyze SCENE` prints the same as text
 screen-terminal-fails = error: the terminal can't be used: { $problem }
 
 # Progress.
@@ -614,12 +586,6 @@ cli-mistake = { $place }: note: { $text }
 cli-strict =
     { $notes }
     error: --strict treats notes on the scene as errors; nothing is calculated or written
-work-of-drive = drive
-work-of-weights = weights
-reduction-mechanism = the mechanism
-reduction-model = disc: M = { $moment }, J = { $inertia }
-reduction-at-rest = { $told } (at rest)
-reduction-with-flywheel = { $told } (with flywheel and rotor)
 structure-mode = shown: mode { $mode }, determinant { $determinant } ({ $key } takes it)
 structure-modes = { $key }: shows the others
 say-no-modes = There are no modes to list: no group, no first position, or a kind of group that can't list them.

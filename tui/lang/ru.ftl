@@ -1,4 +1,3 @@
-position-at = положение { $position }, { $at }
 
 # Текстовый интерфейс: что делает каждая команда; .hint: её имя в последних строках, .end: там справа; .also: слова поиска.
 do-next-position = следующее положение
@@ -242,20 +241,12 @@ add-loads = У сцены нет нагрузок, поэтому нет сил.
 
     или gravity = "9.81 m/s^2" и массы. Затем { $key } прочитает её снова.
 forces-over-time = В движении из начального состояния силы относятся к моментам времени, а не к положениям: assur analyze SCENE даёт их во времени.
-no-motion-found = Движение, которого требует сцена, не найдено:
 no-forces-found = Сил нет, так как движение, которого требует сцена, не найдено:
 nothing-here = для этого вида у сцены ничего нет
 
 # The views.
 screen-too-small = нужно { $width } x { $height }, есть { $columns } x { $rows }
 config-fault = Настройки не удалось использовать; действуют исходные. Нажмите любую клавишу.
-arrow-velocity = скорость
-arrow-acceleration = ускорение
-arrow-first = ПФ1: при единичной скорости
-arrow-second = ПФ2: при единичной скорости
-contact-friction = Fтр
-contact-forces = сила контакта: { $size }
-arrow-told = { $what }: { $size }
 no-analysis = анализа нет: { $reason }
 forces-not-determined = в этом положении силы не определены
 forces-by-cause = по причинам: { $reaction } (Up/Down: другая пара)
@@ -265,28 +256,15 @@ forces-whole = вместе, метод { $method }
 forces-more-causes = { "." }. ещё { $count } вместе
 forces-sum = сумма
 forces-pair = сила в паре
-forces-analyzer = метод силового анализа: { $method }
-forces-calculating = метод расчёта сил: { $method }; разность вычисляется
-forces-two-analyzers = 1 { $one } (линия)  2 { $other } (звёзды)   наибольшая разность { $difference }
-forces-hodograph = годограф: { $reaction }
-curve-zero = нуль
-curve-extreme = экстремум
-curve-inflection = перегиб
 curve-signs = o экстремум  x нуль  + перегиб
-curve-compared = { $quantity }   1 { $one } (линия)  2 { $other } (звёзды)
-curve-before = { $quantity }   1 теперь (линия)  2 до изменений (точки)
 curve-greatest = наибольш.
 curve-least = наименьш.
 curve-at = при, { $unit }
 curve-unlimited = без предела к
 curve-mean = среднее
 curve-rms = ср.кв.
-drive-title = привод
 drive-warning-more = ({ $key } { $key }: полностью)
 drive-no-motor = у этого режима нет двигателя из каталога
-places-heading = привод с маховиком в двух местах
-regime-reduced = приведено к { $point }: F { $force }, m { $mass }
-motion-none = в сцене нет [motion], поэтому только J и Q; добавьте его, со speed = "60 rpm"
 panel-coordinate = координата { $value }
 panel-speed = скорость { $value }
 panel-balance = уравнов. { $value }
@@ -303,10 +281,8 @@ picker-scenes = Сцены из комплекта: введите для пои
 picker-quantities = Величины для графика: введите для поиска, Tab отмечает несколько
 picker-motors = Двигатели от { $power }{ $limit }: кВт, об/мин синхр./ном., отношение, запас момента, кг
 picker-motors-limit = { "," } не более { $speed }
-plans-no-construction = здесь не подходит ни один метод с построением
 plans-key = F нагрузка  R реакция  .. в группе
 plans-open = не замкнуто: { $open } от наибольшего
-plans-step = { $construction }, шаг { $step }
 plans-step-of = шаг { $step } из { $count } ({ $key } рисует следующий)
 structure-mobility = степень подвижности W = 3 n − 2 p = 3·{ $links } − 2·{ $pairs } = { $mobility };  механизм класса { $class }
 structure-nearest = ближе всего к особому: { $determinant } в положении { $position }, { $group }
@@ -346,8 +322,6 @@ accuracy-starts = { $key } измеряет здесь каждый метод: 
 
 # Messages of the terminal UI.
 say-no-position = положения { $position } нет: последнее — { $last }
-say-misses = механизм не собирается: не хватает { $gap }, { $place }; { $group }
-say-no-assembly = механизм не собирается: { $reason }
 say-too-many-parts = ошибка: в сцене { $parts } звеньев, точек, ползунов и нагрузок, а рисунки, записка и терминальный интерфейс показывают не более { $most }; у `assur analyze { $scene }` такого ограничения нет
 say-too-many-positions = ошибка: в сцене { $positions } положений, а терминальный интерфейс показывает для неё не более { $most }; уменьшите `positions` в [input] или запишите все: assur analyze { $scene } -o positions.parquet
 say-extreme-greatest = наибольшее, { $quantity }: { $value } { $place }
@@ -360,7 +334,6 @@ say-nowhere-back = прежде ни один вид не покинут
 say-nothing-searched = ещё ничего не искали: { $key } ищет
 say-one-analyzer = другого метода расчёта сил для этой сцены нет
 say-motor-replaced = двигатель сцены заменён на { $motor }; { $undo } возвращает
-say-misses-beyond = механизм не собирается: не хватает { $gap }, { $place }; { $group }; собирается от { $from } до { $to }
 say-no-extreme = в этом виде нет величины с наибольшим и наименьшим значением
 say-pace = положений в секунду: { $pace }
 say-group-nowhere = эта группа не собирается ни в одном положении
@@ -425,7 +398,6 @@ draw-no-position = положения { $position } нет; их номера �
 draw-no-parts = у вида `{ $view }` нет частей
 draw-no-part = части `{ $part }` у этого вида нет; его части: { $parts }
 draw-svg-alone = --animate пишет только SVG: назовите файл с окончанием .svg
-screen-no-terminal = ошибка: терминальному интерфейсу нужен терминал; `assur analyze SCENE` печатает то же текстом
 screen-terminal-fails = ошибка: терминалом не удаётся воспользоваться: { $problem }
 
 # Progress.
@@ -607,12 +579,6 @@ cli-mistake = { $place }: примечание: { $text }
 cli-strict =
     { $notes }
     ошибка: с --strict примечания к сцене считаются ошибками; ничего не вычислено и не записано
-work-of-drive = привод
-work-of-weights = силы тяжести
-reduction-mechanism = механизм
-reduction-model = диск: M = { $moment }, J = { $inertia }
-reduction-at-rest = { $told } (в покое)
-reduction-with-flywheel = { $told } (с маховиком и ротором)
 structure-mode = показан вариант { $mode }, определитель { $determinant } ({ $key } берёт его)
 structure-modes = { $key }: показывает другие
 say-no-modes = Вариантов сборки для перечня нет: нет группы, нет первого положения, или вид группы не может их перечислить.

@@ -1,4 +1,3 @@
-position-at = положення { $position }, { $at }
 
 # Текстовий інтерфейс: що робить кожна команда; .hint: її назва в останніх рядках, .end: там праворуч; .also: слова пошуку.
 do-next-position = наступне положення
@@ -239,20 +238,12 @@ add-loads = Сцена не має навантажень, тому немає �
 
     або gravity = "9.81 m/s^2" і маси. Потім { $key } прочитає її знову.
 forces-over-time = У русі з початкового стану сили належать моментам часу, а не положенням: assur analyze SCENE подає їх у часі.
-no-motion-found = Руху, якого вимагає сцена, не знайдено:
 no-forces-found = Сил немає, бо руху, якого вимагає сцена, не знайдено:
 nothing-here = для цього виду сцена не має нічого
 
 # The views.
 screen-too-small = потрібно { $width } x { $height }, є { $columns } x { $rows }
 config-fault = Налаштування не вдалося використати; діють типові. Натисніть будь-яку клавішу.
-arrow-velocity = швидкість
-arrow-acceleration = прискорення
-arrow-first = ПФ1: за одиничної швидкості
-arrow-second = ПФ2: за одиничної швидкості
-contact-friction = Fтр
-contact-forces = сила контакту: { $size }
-arrow-told = { $what }: { $size }
 no-analysis = аналізу немає: { $reason }
 forces-not-determined = у цьому положенні сили не визначено
 forces-by-cause = за причинами: { $reaction } (Up/Down: інша пара)
@@ -262,28 +253,15 @@ forces-whole = разом, метод { $method }
 forces-more-causes = { "." }. ще { $count } разом
 forces-sum = сума
 forces-pair = сила в парі
-forces-analyzer = метод силового аналізу: { $method }
-forces-calculating = метод розрахунку сил: { $method }; різниця обчислюється
-forces-two-analyzers = 1 { $one } (лінія)  2 { $other } (зірки)   найбільша різниця { $difference }
-forces-hodograph = годограф: { $reaction }
-curve-zero = нуль
-curve-extreme = екстремум
-curve-inflection = перегин
 curve-signs = o екстремум  x нуль  + перегин
-curve-compared = { $quantity }   1 { $one } (лінія)  2 { $other } (зірки)
-curve-before = { $quantity }   1 тепер (лінія)  2 до змін (крапки)
 curve-greatest = найбільше
 curve-least = найменше
 curve-at = при, { $unit }
 curve-unlimited = без межі в напрямку
 curve-mean = середнє
 curve-rms = ср.кв.
-drive-title = привод
 drive-warning-more = ({ $key } { $key }: повністю)
 drive-no-motor = у цього режиму немає двигуна з каталогу
-places-heading = привод із маховиком у двох місцях
-regime-reduced = зведено до { $point }: F { $force }, m { $mass }
-motion-none = у сцені немає [motion], тому лише J і Q; додайте його, зі speed = "60 rpm"
 panel-coordinate = координата { $value }
 panel-speed = швидкість { $value }
 panel-balance = зрівноваж. { $value }
@@ -300,10 +278,8 @@ picker-scenes = Сцени з комплекту: введіть для пошу
 picker-quantities = Величини для графіка: введіть для пошуку, Tab позначає кілька
 picker-motors = Двигуни від { $power }{ $limit }: кВт, об/хв синхр./ном., відношення, запас моменту, кг
 picker-motors-limit = { "," } не більше { $speed }
-plans-no-construction = тут не підходить жоден метод із побудовою
 plans-key = F навантаження  R реакція  .. у групі
 plans-open = не замкнуто: { $open } від найбільшого
-plans-step = { $construction }, крок { $step }
 plans-step-of = крок { $step } з { $count } ({ $key } малює наступний)
 structure-mobility = ступінь рухомості W = 3 n − 2 p = 3·{ $links } − 2·{ $pairs } = { $mobility };  механізм класу { $class }
 structure-nearest = найближче до особливого: { $determinant } у положенні { $position }, { $group }
@@ -343,8 +319,6 @@ accuracy-starts = { $key } вимірює тут кожен метод: швид
 
 # Messages of the terminal UI.
 say-no-position = положення { $position } немає: останнє — { $last }
-say-misses = механізм не складається: бракує { $gap }, { $place }; { $group }
-say-no-assembly = механізм не складається: { $reason }
 say-too-many-parts = помилка: у сцені { $parts } ланок, точок, повзунів і навантажень, а рисунки, записка й термінальний інтерфейс показують щонайбільше { $most }; `assur analyze { $scene }` такого обмеження не має
 say-too-many-positions = помилка: у сцені { $positions } положень, а термінальний інтерфейс показує для неї щонайбільше { $most }; зменште `positions` у [input] або запишіть усі: assur analyze { $scene } -o positions.parquet
 say-extreme-greatest = найбільше, { $quantity }: { $value } { $place }
@@ -357,7 +331,6 @@ say-nowhere-back = раніше жодного виду не залишено
 say-nothing-searched = ще нічого не шукали: { $key } шукає
 say-one-analyzer = іншого методу розрахунку сил для цієї сцени немає
 say-motor-replaced = двигун сцени замінено на { $motor }; { $undo } повертає
-say-misses-beyond = механізм не складається: бракує { $gap }, { $place }; { $group }; складається від { $from } до { $to }
 say-no-extreme = у цьому виді немає величини з найбільшим і найменшим значенням
 say-pace = положень за секунду: { $pace }
 say-group-nowhere = ця група не складається в жодному положенні
@@ -422,7 +395,6 @@ draw-no-position = положення { $position } немає; їхні ном�
 draw-no-parts = вид `{ $view }` не має частин
 draw-no-part = частини `{ $part }` у цього виду немає; його частини: { $parts }
 draw-svg-alone = --animate пише лише SVG: назвіть файл із закінченням .svg
-screen-no-terminal = помилка: термінальному інтерфейсу потрібен термінал; `assur analyze SCENE` друкує те саме текстом
 screen-terminal-fails = помилка: терміналом не вдається скористатися: { $problem }
 
 # Progress.
@@ -604,12 +576,6 @@ cli-mistake = { $place }: примітка: { $text }
 cli-strict =
     { $notes }
     помилка: з --strict примітки до сцени є помилками; нічого не обчислено й не записано
-work-of-drive = привод
-work-of-weights = сили ваги
-reduction-mechanism = механізм
-reduction-model = диск: M = { $moment }, J = { $inertia }
-reduction-at-rest = { $told } (у стані спокою)
-reduction-with-flywheel = { $told } (з маховиком і ротором)
 structure-mode = показано варіант { $mode }, визначник { $determinant } ({ $key } бере його)
 structure-modes = { $key }: показує інші
 say-no-modes = Варіантів складання для переліку немає: немає групи, немає першого положення, або вид групи не може їх перелічити.

@@ -18,7 +18,6 @@ pub(crate) use write::{
     write_folder,
 };
 
-/// Why a file is not read or written.
 pub(crate) enum FileError {
     /// A file can't be read, and why.
     Read(PathBuf, Text),
@@ -46,7 +45,6 @@ impl FileError {
         Self::Read(path.to_owned(), problem)
     }
 
-    /// A file that is refused.
     pub(crate) fn refused(path: &Path, problem: Text) -> Self {
         Self::Write(path.to_owned(), problem)
     }
@@ -66,7 +64,6 @@ pub(crate) fn free_beside(file: &Path) -> Option<u64> {
     found.f_bavail.checked_mul(found.f_frsize)
 }
 
-/// The text of a scene or a configuration.
 pub(crate) fn read(path: &Path) -> Result<String, FileError> {
     let error = |problem: Text| FileError::read(path, problem);
     if path.is_dir() {

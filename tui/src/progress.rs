@@ -14,9 +14,7 @@ use crate::number::plain;
 const PATIENCE: Duration = Duration::from_secs(1);
 /// Between two texts of the line at least: a calculation may report a million times.
 const TEXTS: Duration = Duration::from_millis(100);
-/// The line of work that can't be counted.
 const UNCOUNTED: &str = "{msg} ({since})";
-/// The line of work that is counted.
 const COUNTED: &str = "{msg} {wide_bar} {counted}";
 
 /// Progress of an analysis: what is done, and how much of how much where it can be counted.
@@ -35,7 +33,6 @@ fn counted(progress: Progress) -> (Text, Option<[usize; 2]>) {
     }
 }
 
-/// Progress of an analysis.
 pub(crate) fn told(progress: Progress) -> Text {
     match counted(progress) {
         (what, Some([done, total])) => {
@@ -85,7 +82,6 @@ impl ProgressLine {
         self.bar.set_position(done as u64);
     }
 
-    /// For an analysis that is never stopped.
     pub(crate) fn watch(&self) -> impl FnMut(Progress) -> ControlFlow<()> + '_ {
         let mut next = PATIENCE;
         move |progress| {
@@ -132,17 +128,8 @@ impl Drop for ProgressLine {
     }
 }
 
-/// Seconds since it was made.
-pub(crate) struct SystemClock(Instant);
-
-impl Default for SystemClock {
-    fn default() -> Self {
-        Self(Instant::now())
-    }
-}
-
-impl assur_study::chart::Clock for SystemClock {
-    fn seconds(&mut self) -> f64 {
-        self.0.elapsed().as_secs_f64()
-    }
+/// A clock, s.
+pub(crate) fn clock() -> impl FnMut() -> f64 {
+    let start = Instant::now();
+    move || start.elapsed().as_secs_f64()
 }

@@ -3,28 +3,25 @@
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, OnceLock};
 
-use assur_analysis::{AnalysisError, Calculation, Options, Watch, plan};
+use assur_analysis::{AnalysisError, Calculation, Coverage, Options, Watch, plan, unwatched};
 use assur_fixtures::SCENES;
 use assur_kinematics::{CompileError, Linkage, decompose};
-use assur_mechanism::{Key, Mechanism, Motion, Notice};
-use assur_picture::Found;
+use assur_mechanism::{Key, MOST_PARTS_DRAWN, Mechanism, Motion, Notice};
+use assur_picture::{Found, Results};
 use assur_scene::Note;
 use assur_structure::Structure;
-use assur_words::{Describe, Text, joined, name, text};
+use assur_words::{Describe, Text, joined, name, number, text};
 
 use crate::files::{self, FileError};
 
-/// The source of a scene.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) enum Source {
-    /// A file.
     File(PathBuf),
     /// One of the shipped scenes, by its name without the ending.
     Shipped(&'static str),
 }
 
 impl Source {
-    /// The name to show.
     pub(crate) fn name(&self) -> String {
         match self {
             Self::File(path) => path.display().to_string(),
@@ -32,7 +29,6 @@ impl Source {
         }
     }
 
-    /// Its text.
     fn text(&self) -> Result<String, Text> {
         match self {
             Self::File(path) => files::read(path).map_err(|error| error.describe()),
@@ -112,7 +108,6 @@ impl Session {
         Ok(Self { source, text, note, mechanism, structure, linkage: Arc::new(linkage).into() })
     }
 
-    /// The linkage with all its groups.
     pub(crate) fn linkage(&self) -> Result<Arc<Linkage>, CompileError> {
         if let Some(linkage) = self.linkage.get() {
             return Ok(Arc::clone(linkage));
@@ -142,10 +137,49 @@ impl Session {
         Calculation::planned(linkage, plan, None, options, watch)
     }
 
-    /// The results of what the scene requests.
     pub(crate) fn found(&self, options: &Options, watch: &mut Watch<'_>) -> Result<Found, AnalysisError> {
         let calculation = self.calculation(options, watch)?;
         Found::of(calculation, self.linkage()?, options, watch)
+    }
+
+    /// The positions of the scene, if it is not too large to be drawn.
+    ///
+    /// # Errors
+    ///
+    /// The faults in words, complete with file and line.
+    pub(crate) fn positions(&self) -> Result<Results, Text> {
+        self.refuse_large()?;
+        let linkage = self.linkage().map_err(|error| self.fault(&error.into()))?;
+        Results::of(linkage).map_err(|error| self.fault(&error))
+    }
+
+    /// The positions with the results of what the scene requests, and with their checks where they are wanted.
+    ///
+    /// # Errors
+    ///
+    /// The faults in words, complete with file and line.
+    pub(crate) fn analyzed(&self, options: &Options, checks: bool) -> Result<Results, Text> {
+        let mut results = self.positions()?;
+        let mut found = self.found(options, &mut unwatched).map_err(|error| self.fault(&error))?;
+        if checks {
+            let all = found.plans.calculation().checks(Coverage::Sample, &mut unwatched);
+            found.take_checks(all.map_err(|stopped| stopped.describe())?);
+        }
+        results.found = Some(Box::new(found));
+        Ok(results)
+    }
+
+    fn refuse_large(&self) -> Result<(), Text> {
+        let (parts, count) = (self.mechanism.parts(), self.mechanism.input.positions);
+        let (id, too_many, most) = if parts > MOST_PARTS_DRAWN {
+            ("say-too-many-parts", ("parts", number(parts)), MOST_PARTS_DRAWN)
+        } else if count > self.mechanism.most_kept() {
+            ("say-too-many-positions", ("positions", number(count)), self.mechanism.most_kept())
+        } else {
+            return Ok(());
+        };
+        let scene = name(self.source.name());
+        Err(Text::message(id, vec![too_many, ("most", number(most)), ("scene", scene)]))
     }
 
     /// An error of a calculation, at the line of the scene that it concerns if there is one.
@@ -169,7 +203,6 @@ impl Session {
         placed(&self.source, &self.text, doubt)
     }
 
-    /// A fault of the scene as a whole.
     pub(crate) fn in_file(&self, message: Text) -> Text {
         in_file(&self.source, message)
     }

@@ -61,7 +61,6 @@ impl Verdict {
         Self::of_losses(losses)
     }
 
-    /// Of the structure of a mechanism.
     pub(crate) fn of_structure(found: &StructureStudy) -> Self {
         let passive = found.structure.iter().flat_map(|structure| &structure.passive);
         Self::of_losses(misfits(passive, found.angular))
@@ -71,7 +70,6 @@ impl Verdict {
         Self { losses, checks: Vec::new(), unproved: false, writable: true }
     }
 
-    /// Whether nothing is missing.
     pub(crate) fn is_complete(&self) -> bool {
         self.losses.is_empty()
     }
@@ -110,13 +108,11 @@ fn failures(failures: &[Failure], count: usize, session: Option<&Session>) -> Ve
     told
 }
 
-/// Passive parts that don't fit.
 fn misfits<'a>(passive: impl IntoIterator<Item = &'a PassiveReport>, angular: bool) -> Vec<Text> {
     let wrong = passive.into_iter().filter(|passive| !passive.fits());
     wrong.map(|passive| text!("cli-error", problem = topic::passive_part(passive, angular))).collect()
 }
 
-/// Why the requested motion is not found.
 fn no_motion(calculation: &Calculation, session: Option<&Session>) -> Option<Text> {
     calculation.no_motion.as_ref().map(|error| match session {
         Some(session) => session.fault(error),

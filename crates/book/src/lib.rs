@@ -16,7 +16,7 @@ pub use catalogue::Unit;
 pub use course::{Course, Jump, Node};
 pub use document::{Block, Document, Fact, Term, Value, link_name};
 pub use number::{Digits, ROUNDING, beside};
-pub use peaks::{Range, peaks, range, range_of};
+pub use peaks::{Range, extreme, peaks, range, range_of};
 pub use table::{Cell, Column, Group, Listing, Printed, Table};
 
 assur_words::resources!();

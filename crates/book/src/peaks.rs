@@ -84,15 +84,29 @@ pub struct Range {
 
 /// What a quantity reaches, with its `course` over the positions; `None` where no position has a value.
 pub fn range(calculation: &Calculation, course: &Course, column: Column) -> Option<Range> {
+    range_of(calculation, course, &reader(course, column))
+}
+
+/// What reads a quantity from a row; an angle without jumps, as its course over the positions has it.
+fn reader(course: &Course, column: Column) -> impl Fn(&Table, usize) -> Option<f64> {
     let is_angle = matches!((column.quantity, column.owner), (Quantity::Transfer(0), Owner::Link(_)));
-    let read = |table: &Table, row: usize| {
+    move |table, row| {
         let value = table.get(row, column)?;
         if !is_angle {
             return Some(value);
         }
         Some(continuous_angle(value, course.between(table.get(row, Column::COORDINATE)?)?))
-    };
-    range_of(calculation, course, &read)
+    }
+}
+
+/// A local extreme of a quantity, with its `course` over the positions, as it is found between them; infinite where the quantity grows
+/// without limit there.
+pub fn extreme(calculation: &Calculation, course: &Course, column: Column, turn: Turn) -> Turn {
+    let ends: Vec<_> =
+        course.ends().into_iter().filter(|[known, _]| known.to_bits() == turn.at.to_bits()).collect();
+    let unlimited = calculation.unlimited(&ends, reader(course, column)).first().copied();
+    let refined = || calculation.refined(&[turn], reader(course, column)).first().copied();
+    unlimited.or_else(refined).unwrap_or(turn)
 }
 
 /// What a number that is made of each row reaches, with its `course` over the positions; `None` where no position has a value.

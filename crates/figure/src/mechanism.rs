@@ -6,8 +6,6 @@ mod gap;
 #[cfg(test)]
 mod tests;
 
-use std::f64::consts::TAU;
-
 use assur_group::Body;
 use assur_kinematics::{Linkage, Position};
 use assur_mechanism::{Brake, GROUND, LinkId, Mechanism, PairId, Slide, Surfaces, Value};
@@ -141,7 +139,6 @@ impl Drawing<'_> {
         (low.is_finite() && high.is_finite()).then(|| [at(low - beyond), at(high + beyond)])
     }
 
-    /// The guides on the ground.
     fn guides(&self, bodies: &[Body<f64>]) -> Vec<Item> {
         let slides = self.linkage.mechanism.slides.iter().zip(self.strokes);
         let ground = slides.filter(|(slide, _)| slide.on == GROUND);
@@ -195,12 +192,8 @@ impl Drawing<'_> {
                 return None;
             };
             let place = mechanism.points[point].places.iter().find(|place| self.shows(place.link))?;
-            let ([x, y], radius) = (bodies[place.link].point(place.at), friction.coefficient * radius);
-            let points = (0..=ARC).map(|step| {
-                let (s, c) = (TAU * step as f64 / ARC as f64).sin_cos();
-                [x + radius * c, y + radius * s]
-            });
-            (radius > 0.0).then(|| Item::line(points.collect::<Vec<_>>(), Stroke::Solid, Ink::Trace))
+            let (center, radius) = (bodies[place.link].point(place.at), friction.coefficient * radius);
+            (radius > 0.0).then(|| Item::circle(center, radius, Stroke::Solid, Ink::Trace))
         })
     }
 
@@ -227,7 +220,6 @@ impl Drawing<'_> {
     }
 }
 
-/// The middle of the longest side of an outline.
 fn middle(outline: &[Point]) -> Option<Point> {
     let sides = outline.iter().zip(outline.iter().skip(1).chain(outline.first()));
     let length = |(a, b): &(&Point, &Point)| (b[0] - a[0]).hypot(b[1] - a[1]);
@@ -288,10 +280,6 @@ fn disc_center(mechanism: &Mechanism, brake: &Brake) -> Option<Point> {
 fn drawn_brake(brake: &Brake, center: Point) -> Vec<Item> {
     let radius = brake.radius;
     let at = |x: f64, y: f64| [center[0] + x * radius, center[1] + y * radius];
-    let circle = (0..=ARC).map(|step| {
-        let (s, c) = (TAU * step as f64 / ARC as f64).sin_cos();
-        at(c, s)
-    });
     let (height, end) = (1.0 + ABOVE, brake.lever.max(1.0) - 1.0);
     let force = at(end, height + ARROW);
     let told = match brake.force {
@@ -299,7 +287,7 @@ fn drawn_brake(brake: &Brake, center: Point) -> Vec<Item> {
         _ => name("P"),
     };
     vec![
-        Item::line(circle.collect::<Vec<_>>(), Stroke::Solid, Ink::Link(brake.link)),
+        Item::circle(center, radius, Stroke::Solid, Ink::Link(brake.link)),
         Item::line([at(0.0, 1.0), at(0.0, height)], Stroke::Thick, Ink::Text),
         Item::line([at(-1.0, height), at(end.max(0.0), height)], Stroke::Thick, Ink::Text),
         Item::sign(at(-1.0, height), Sign::Bearing, Ink::Ground),

@@ -1,5 +1,7 @@
 //! What is drawn: figures, panels, items.
 
+use std::f64::consts::TAU;
+
 use assur_words::{Text, joined};
 
 use crate::axis::Axis;
@@ -95,7 +97,6 @@ impl From<f64> for Cursor {
 }
 
 impl Panel {
-    /// Its title, and the value at the cursor.
     pub(crate) fn heading(&self) -> Text {
         let value = match &self.frame {
             Frame::Axes { cursor: Some(cursor), .. } => Some(&cursor.value),
@@ -180,6 +181,9 @@ pub enum Sign {
     /// A position on a curve.
     Node,
 }
+
+/// Straight pieces of a circle.
+const PIECES: usize = 48;
 
 /// One thing that is drawn.
 #[derive(Debug, Clone, PartialEq)]
@@ -267,6 +271,15 @@ impl Item {
     /// A line from point to point.
     pub fn line(points: impl Into<Vec<Point>>, stroke: Stroke, ink: Ink) -> Self {
         Self::Line { points: points.into(), stroke, ink }
+    }
+
+    /// A circle.
+    pub fn circle([x, y]: Point, radius: f64, stroke: Stroke, ink: Ink) -> Self {
+        let points = (0..=PIECES).map(|piece| {
+            let (s, c) = (TAU * piece as f64 / PIECES as f64).sin_cos();
+            [x + radius * c, y + radius * s]
+        });
+        Self::line(points.collect::<Vec<_>>(), stroke, ink)
     }
 
     /// What of it lies in a part of the plane.

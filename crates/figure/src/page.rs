@@ -96,10 +96,8 @@ fn plain(title: &Text, language: &Language) -> String {
     title.render(language).replace('`', "")
 }
 
-/// Most lines of the heading of a panel.
 const HEADING: usize = 2;
 
-/// The heading of a panel, one line below the other.
 fn heading(panel: &Panel, room: Room, language: &Language) -> Vec<Element> {
     let title = plain(&panel.heading(), language);
     let mut lines = names::wrapped(&title, room.width);
@@ -197,7 +195,6 @@ fn sign_elements(at: Point, along: Point, sign: Sign, ink: Ink) -> Vec<Element> 
     }
 }
 
-/// A pin on two struts and a hatched base.
 fn bearing(at: Point, ink: Ink) -> Vec<Element> {
     let line = Outline { ink, width: width::LINE, filled: Some(0.0) };
     let base = at[1] + 1.1 * EM;

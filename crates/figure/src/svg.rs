@@ -34,7 +34,6 @@ pub fn animate(frames: &[Figure], size: [f64; 2], seconds: f64, language: &Langu
     document(&frames[0].title.render(language), size, parts)
 }
 
-/// The changes of an element over the frames.
 fn motion(frames: &[&Element], seconds: f64) -> String {
     let mut text = String::new();
     for (at, (name, first)) in frames[0].attributes.iter().enumerate() {

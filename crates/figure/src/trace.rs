@@ -6,7 +6,6 @@ use crate::model::{Ink, Item, Point, Sign, Stroke};
 
 /// Half length and half thickness of a slider, in text sizes.
 pub(crate) const BLOCK: [f64; 2] = [1.0, 0.55];
-/// Turns of a spring.
 const TURNS: usize = 6;
 /// Half width of a spring and of a damper's cylinder, in text sizes.
 const COIL: f64 = 0.4;
@@ -18,7 +17,6 @@ const ENDS: f64 = 0.15;
 const HATCHING: f64 = 0.5;
 /// Most strokes of a hatching: no paper has more.
 const MOST_HATCHES: f64 = 2000.0;
-/// Most stars on a curve.
 const MOST_STARS: usize = 24;
 /// Arrows shorter than this have a head without a direction, in text sizes.
 const SHORTEST: f64 = 0.5;
@@ -28,7 +26,6 @@ const SHORTEST: f64 = 0.5;
 pub(crate) struct Paper<F> {
     /// Place on paper of a point of the panel.
     pub(crate) place: F,
-    /// Text size.
     pub(crate) em: f64,
     /// What must stay free between two lines that are to be told apart.
     pub(crate) gap: f64,
@@ -163,12 +160,10 @@ pub(crate) fn unit(from: Point, to: Point) -> (Point, f64) {
     }
 }
 
-/// A point shifted along a direction.
 pub(crate) fn shifted(at: Point, along: Point, by: f64) -> Point {
     [at[0] + by * along[0], at[1] + by * along[1]]
 }
 
-/// The corners of a slider.
 pub(crate) fn block(at: Point, along: Point, em: f64) -> [Point; 4] {
     let across = [-along[1], along[0]];
     [[1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0], [1.0, -1.0]]

@@ -14,7 +14,6 @@ pub(super) struct Context<'a> {
     pub(super) positions: &'a [usize],
 }
 
-/// A topic of the report.
 pub(super) type Topic = fn(&Source<'_>, &mut Document);
 
 impl Context<'_> {
@@ -23,7 +22,6 @@ impl Context<'_> {
         Source::of(&self.found.analysis, &self.results.linkage, Some(self.positions))
     }
 
-    /// Adds topics.
     pub(super) fn tell(&self, page: &mut Document, topics: &[Topic]) {
         let source = self.source();
         for topic in topics {
@@ -36,7 +34,6 @@ impl Context<'_> {
         look(self.positions[0])
     }
 
-    /// The figures of the chosen positions, beside each other.
     pub(super) fn beside(&self, draw: impl Fn(&Look<'_>) -> Figure) -> Option<Figure> {
         let mut whole: Option<Figure> = None;
         for &position in self.positions {
@@ -62,7 +59,6 @@ impl Context<'_> {
         text!("note-legend-at", caption = caption, place = self.place(self.positions[0]))
     }
 
-    /// The chosen positions in words.
     pub(super) fn places(&self) -> Text {
         joined("; ", self.positions.iter().map(|position| self.place(*position)))
     }

@@ -101,7 +101,6 @@ fn polygons(context: &Context<'_>, page: &mut Document) {
     }
 }
 
-/// The vectors of a polygon in each position.
 fn vectors(polygons: &[(usize, &VectorPlan)], caption: Text) -> Table {
     let labelled = |plan| plans::labelled(ViewPart::Forces, plan).into_iter();
     let rows = polygons.iter().flat_map(|(position, plan)| labelled(plan).map(move |row| (position, row)));
@@ -188,7 +187,6 @@ fn stages(construction: &Construction) -> Vec<usize> {
     ends.filter(|at| *at > 0).collect()
 }
 
-/// Every step: its vector and what it does.
 fn steps(construction: &Construction, caption: Text) -> Table {
     let size = |step: &ConstructionStep| {
         let length = step.vector[0].hypot(step.vector[1]);

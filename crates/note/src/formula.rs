@@ -1,16 +1,14 @@
 //! The working of a position as equations.
 
 use assur_book::{Block, Document, Term};
-use assur_words::{Describe, name, number, text, unit};
+use assur_words::{Describe, Text, name, number, text, unit};
 use assur_working::WorkingError;
 use assur_worksheet::{Entry, Section, Term as Part};
 
-use super::NoteError;
 use super::context::Context;
 use crate::working;
 
-/// The equations of the first chosen position.
-pub(super) fn working(context: &Context<'_>, page: &mut Document) -> Result<(), NoteError> {
+pub(super) fn working(context: &Context<'_>, page: &mut Document) -> Result<(), Text> {
     let position = context.positions[0];
     let working = working::of_position(context.found.plans.calculation(), position);
     page.heading(text!("note-working", position = number(position)));
@@ -20,7 +18,7 @@ pub(super) fn working(context: &Context<'_>, page: &mut Document) -> Result<(), 
             page.paragraph(error.describe());
             return Ok(());
         }
-        Err(error) => return Err(NoteError::Working(error.describe())),
+        Err(error) => return Err(error.describe()),
     };
     // The first section repeats title and structure.
     sections.iter().skip(1).for_each(|section| add(section, page));
@@ -38,7 +36,6 @@ pub(super) fn energy(context: &Context<'_>, page: &mut Document) {
     }
 }
 
-/// A section with its equations.
 fn add(section: &Section, page: &mut Document) {
     page.blocks.push(Block::Subheading(section.title.clone()));
     page.blocks.extend(section.entries.iter().map(|entry| match entry {
@@ -47,7 +44,6 @@ fn add(section: &Section, page: &mut Document) {
     }));
 }
 
-/// An equation with the signs of print.
 fn terms(equation: &Entry) -> Vec<Term> {
     let term = |part: &Part| match part {
         Part::Symbol(symbol) => Term::Name(symbol.letter(), symbol.subscript()),

@@ -30,7 +30,6 @@ th, td { border: 0.3mm solid #666; padding: 0.6mm 1.5mm; text-align: left; } th 
 /// A table of at most so many rows is not divided between pages.
 pub(super) const SHORT: usize = 16;
 
-/// The file.
 pub(super) fn write(sheet: &NoteSheet<'_>) -> String {
     let line = |text: &Text| rich(&sheet.line(text));
     let mut text = format!(
@@ -45,29 +44,19 @@ pub(super) fn write(sheet: &NoteSheet<'_>) -> String {
         let _ = write!(text, "<tr><td>{}:</td><td>{}</td></tr>", line(what), escaped(who));
     }
     text.push_str("</table></section>\n");
-    let [mut parts, mut figures, mut tables] = [0_usize; 3];
-    for block in &sheet.document.blocks {
+    for block in &sheet.blocks {
         let _ = match block {
             Block::Title(_) => Ok(()),
-            Block::Heading(title) => {
-                parts += 1;
-                writeln!(text, "<h2>{parts}. {}</h2>", line(title))
-            }
+            Block::Heading(title) => writeln!(text, "<h2>{}</h2>", line(title)),
             Block::Subheading(title) => writeln!(text, "<h3>{}</h3>", line(title)),
             Block::Paragraph(words) => writeln!(text, "<p>{}</p>", line(words)),
             Block::Equation(terms) => writeln!(text, "<p class=\"eq\">{}</p>", equation(sheet, terms)),
             Block::Figure { frames, size, caption } => {
-                figures += 1;
                 let drawn = svg::animate(frames, *size, TURN, sheet.language);
-                let caption = rich(&sheet.numbered("note-figure", figures, caption));
-                writeln!(text, "<figure>{drawn}<figcaption>{caption}</figcaption></figure>")
+                writeln!(text, "<figure>{drawn}<figcaption>{}</figcaption></figure>", line(caption))
             }
             Block::Table(_) | Block::Facts { .. } => {
-                tables += 1;
-                block.as_table().map_or(Ok(()), |of| {
-                    let caption = rich(&sheet.numbered("note-table", tables, &of.caption));
-                    table(&mut text, &caption, &sheet.grid(&of))
-                })
+                block.as_table().map_or(Ok(()), |of| table(&mut text, &line(&of.caption), &sheet.grid(&of)))
             }
         };
     }
@@ -94,7 +83,6 @@ fn table(text: &mut String, caption: &str, grid: &Grid) -> fmt::Result {
     Ok(())
 }
 
-/// A text with subscripts.
 fn rich(text: &str) -> String {
     sheet::rich(text, escaped, |low| format!("<sub>{}</sub>", escaped(low)))
 }

@@ -16,10 +16,12 @@ pub mod working;
 use assur_book::Document;
 use assur_picture::Results;
 use assur_scene::Note;
-use assur_words::{Describe, Language, Text, errors, name, text};
+use assur_words::{Language, Text, name, text};
 
 use context::Context;
 use sheet::NoteSheet;
+
+assur_words::resources!();
 
 /// Most positions times parts of the mechanism in a note, whose figures and texts are all in memory: with eight times as many
 /// they took 4 GB.
@@ -53,45 +55,13 @@ pub struct Written {
     pub figures: Vec<(String, String)>,
 }
 
-/// Why there is no note.
-#[derive(Clone, PartialEq)]
-pub enum NoteError {
-    /// The scene has no results.
-    NoResults,
-    /// More positions than a note can show.
-    TooMany {
-        /// Positions.
-        count: usize,
-        /// Parts of the mechanism.
-        parts: usize,
-    },
-    /// A position that can't be worked out.
-    Working(Text),
-}
-
-impl Describe for NoteError {
-    fn describe(&self) -> Text {
-        let number = |number: usize| name(number.to_string());
-        match self {
-            Self::NoResults => text!("note-no-results"),
-            Self::TooMany { count, parts } => {
-                let most = MOST_PARTS / parts;
-                text!("note-too-many", most = number(most), parts = number(*parts), count = number(*count))
-            }
-            Self::Working(text) => text.clone(),
-        }
-    }
-}
-
-errors!(NoteError);
-
 /// What the note tells, with the positions of these numbers drawn and worked out, at least one.
 ///
 /// # Errors
 ///
-/// [`NoteError`]: without an analysis, or where the first of these positions can't be worked out.
-pub fn document(results: &Results, positions: &[usize]) -> Result<Document, NoteError> {
-    let found = results.found.as_ref().ok_or(NoteError::NoResults)?;
+/// In words: no analysis, or the first of these positions can't be worked out.
+pub fn document(results: &Results, positions: &[usize]) -> Result<Document, Text> {
+    let found = results.found.as_ref().ok_or_else(|| text!("note-no-results"))?;
     parts::document(&Context { results, found, positions })
 }
 
@@ -99,13 +69,14 @@ pub fn document(results: &Results, positions: &[usize]) -> Result<Document, Note
 ///
 /// # Errors
 ///
-/// [`NoteError`]
-pub fn write(results: &Results, note: &Note, form: Form, folder: &str) -> Result<Written, NoteError> {
+/// In words: as [`document`], or there are more positions than a note can show.
+pub fn write(results: &Results, note: &Note, form: Form, folder: &str) -> Result<Written, Text> {
     let language = Language::find(note.language).unwrap_or(Language::english());
     let mechanism = &results.linkage.mechanism;
     let (count, parts) = (results.positions(), mechanism.parts());
     if count * parts > MOST_PARTS {
-        return Err(NoteError::TooMany { count, parts });
+        let [most, parts, count] = [MOST_PARTS / parts, parts, count].map(|number| name(number.to_string()));
+        return Err(text!("note-too-many", most, parts, count));
     }
     let exists = |position: &usize| *position < count && !results.broken.contains_key(position);
     // Two positions in different parts of the cycle, unless the scene chooses.
@@ -116,8 +87,12 @@ pub fn write(results: &Results, note: &Note, form: Form, folder: &str) -> Result
         positions.push(results.first_position());
     }
     positions.dedup();
-    let document = document(results, &positions)?;
-    let sheet = NoteSheet { title: &mechanism.title, author: sheet::author(note), document, language };
+    let Document { blocks, .. } = document(results, &positions)?;
+    let mut sheet = NoteSheet { title: &mechanism.title, author: sheet::author(note), blocks, language };
+    // Typst numbers headings, figures and tables itself.
+    if form != Form::Typst {
+        sheet.number();
+    }
     Ok(match form {
         Form::Html => Written { text: html::write(&sheet), figures: Vec::new() },
         Form::Markdown => markdown::write(&sheet, folder),

@@ -17,32 +17,24 @@ pub(super) fn write(sheet: &NoteSheet<'_>, folder: &str) -> Written {
     for (what, who) in &sheet.author {
         let _ = writeln!(text, "{}: {}\n", line(what), rich(who));
     }
-    let [mut parts, mut tables] = [0_usize; 2];
     let mut figures = Vec::new();
-    for block in &sheet.document.blocks {
+    for block in &sheet.blocks {
         let _ = match block {
             Block::Title(_) => Ok(()),
-            Block::Heading(title) => {
-                parts += 1;
-                writeln!(text, "## {parts}. {}\n", line(title))
-            }
+            Block::Heading(title) => writeln!(text, "## {}\n", line(title)),
             Block::Subheading(title) => writeln!(text, "### {}\n", line(title)),
             Block::Paragraph(words) => writeln!(text, "{}\n", line(words)),
             Block::Equation(terms) => writeln!(text, "${}$\n", equation(sheet, terms)),
             Block::Figure { frames, size, caption } => {
                 let name = format!("figure-{}.svg", figures.len() + 1);
                 let drawn = svg::animate(frames, *size, TURN, sheet.language);
+                let caption = line(caption);
                 figures.push((name.clone(), drawn));
-                let caption = rich(&sheet.numbered("note-figure", figures.len(), caption));
                 writeln!(text, "![{caption}](<{folder}/{name}>)\n\n{caption}\n")
             }
-            Block::Table(_) | Block::Facts { .. } => {
-                tables += 1;
-                block.as_table().map_or(Ok(()), |of| {
-                    let caption = rich(&sheet.numbered("note-table", tables, &of.caption));
-                    writeln!(text, "{caption}\n\n{}", table(&sheet.grid(&of)))
-                })
-            }
+            Block::Table(_) | Block::Facts { .. } => block
+                .as_table()
+                .map_or(Ok(()), |of| writeln!(text, "{}\n\n{}", line(&of.caption), table(&sheet.grid(&of)))),
         };
     }
     Written { text, figures }

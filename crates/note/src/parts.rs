@@ -10,7 +10,7 @@ use assur_report::topic;
 use assur_words::{Text, list, name, number, text};
 
 use crate::context::{Context, look, on_paper};
-use crate::{NoteError, forces, formula};
+use crate::{forces, formula};
 
 /// Pages of a mechanism, of several ones beside each other, and of plans, mm.
 const MECHANISM: [f64; 2] = [160.0, 110.0];
@@ -30,8 +30,7 @@ const PANELS: [f64; 2] = [165.0, 78.0];
 const COLUMNS: usize = 2;
 const MOST: usize = 6;
 
-/// The whole note.
-pub(super) fn document(context: &Context<'_>) -> Result<Document, NoteError> {
+pub(super) fn document(context: &Context<'_>) -> Result<Document, Text> {
     let mut page = Document::default();
     let facts = topic::summary(&context.found.analysis, &context.results.linkage);
     page.heading(text!("report-results"));
@@ -167,7 +166,6 @@ fn is_zero(panel: &Panel) -> bool {
     panel.items.iter().flat_map(Item::points).all(|[_, y]| y == 0.0 || !y.is_finite())
 }
 
-/// Every check with its residual.
 fn checks(context: &Context<'_>, page: &mut Document) {
     let found = context.found;
     if !found.analysis.checks.is_empty() {

@@ -1,21 +1,18 @@
 //! What a form writes: texts and tables in the words of the language.
 
-use assur_book::{Document, Printed, Table};
+use assur_book::{Block, Printed, Table};
 use assur_figure::svg::lowered;
 use assur_scene::Note;
-use assur_words::{Language, Text, name, text, unit};
+use assur_words::{Language, Text, joined, name, number, text, unit};
 
-/// A note that a form writes.
 pub(super) struct NoteSheet<'a> {
-    /// The title of the scene.
     pub(super) title: &'a str,
     /// What the author says of himself, each behind its name.
     pub(super) author: Vec<(Text, String)>,
-    pub(super) document: Document,
+    pub(super) blocks: Vec<Block>,
     pub(super) language: &'a Language,
 }
 
-/// A table in words.
 pub(super) struct Grid {
     pub(super) head: Vec<String>,
     /// Which columns stand at the right.
@@ -23,7 +20,6 @@ pub(super) struct Grid {
     pub(super) rows: Vec<Vec<String>>,
 }
 
-/// Who wrote a note.
 pub(super) fn author(note: &Note) -> Vec<(Text, String)> {
     let rows = [
         (text!("note-author"), &note.author),
@@ -39,11 +35,29 @@ impl NoteSheet<'_> {
         text.render(self.language).replace("->", "→").replace('`', "")
     }
 
-    /// The caption of a figure or a table with its number.
-    pub(super) fn numbered(&self, id: &'static str, number: usize, caption: &Text) -> String {
-        let values = vec![("number", name(number.to_string())), ("caption", caption.clone())];
-        let whole = self.line(&Text::message(id, values));
-        if caption.is_empty() { whole.trim_end_matches(['.', ' ']).to_owned() } else { whole }
+    /// Gives headings, figures and tables their numbers.
+    pub(super) fn number(&mut self) {
+        let language = self.language;
+        let [mut parts, mut figures, mut tables] = [0_usize; 3];
+        let numbered = |id: &'static str, count: &mut usize, caption: &mut Text| {
+            *count += 1;
+            let whole = Text::message(id, vec![("number", number(*count)), ("caption", caption.clone())]);
+            let bare = |whole: String| whole.trim_end_matches(['.', ' ']).to_owned();
+            *caption = if caption.is_empty() { name(bare(whole.render(language))) } else { whole };
+        };
+        for block in &mut self.blocks {
+            match block {
+                Block::Heading(title) => {
+                    parts += 1;
+                    *title = joined(". ", [number(parts), title.clone()]);
+                }
+                Block::Figure { caption, .. } => numbered("note-figure", &mut figures, caption),
+                Block::Table(Table { caption, .. }) | Block::Facts { caption, .. } => {
+                    numbered("note-table", &mut tables, caption);
+                }
+                _ => {}
+            }
+        }
     }
 
     pub(super) fn grid(&self, table: &Table) -> Grid {

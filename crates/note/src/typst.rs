@@ -16,7 +16,6 @@ const STYLE: &str = "#set page(paper: \"a4\", margin: (left: 25mm, right: 15mm, 
 #show figure.where(kind: table): set figure.caption(position: top)
 ";
 
-/// The file.
 pub(super) fn write(sheet: &NoteSheet<'_>) -> String {
     let line = |text: &Text| rich(&sheet.line(text));
     let (language, title) = (sheet.language.code, rich(sheet.title));
@@ -30,7 +29,7 @@ pub(super) fn write(sheet: &NoteSheet<'_>) -> String {
         let _ = writeln!(text, "#align(right)[{}: {}]", line(what), rich(who));
     }
     text.push_str("#pagebreak()\n\n");
-    for block in &sheet.document.blocks {
+    for block in &sheet.blocks {
         let _ = match block {
             Block::Title(_) => Ok(()),
             Block::Heading(title) => writeln!(text, "= {}\n", line(title)),

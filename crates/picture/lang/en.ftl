@@ -50,3 +50,34 @@ motion-time = time, s
 chart-coordinate = coordinate, { $unit }
 regime-against = { $load }, against the motion
 regime-excess-area = A* = { $work }
+position-at = position { $position }, { $at }
+no-motion-found = The motion that the scene asks for was not found:
+arrow-velocity = velocity
+arrow-acceleration = acceleration
+arrow-first = PF1: for unit speed
+arrow-second = PF2: for unit speed
+contact-friction = Ff
+contact-forces = force of the contact: { $size }
+arrow-told = { $what }: { $size }
+forces-analyzer = force analyzer: { $method }
+forces-calculating = force analyzer: { $method }; the difference is being calculated
+forces-two-analyzers = 1 { $one } (line)  2 { $other } (stars)   largest difference { $difference }
+forces-hodograph = hodograph: { $reaction }
+curve-zero = zero
+curve-extreme = extreme
+curve-inflection = inflection
+curve-compared = { $quantity }   1 { $one } (line)  2 { $other } (stars)
+curve-before = { $quantity }   1 now (line)  2 before (dots)
+drive-title = drive
+places-heading = drive with its flywheel on either shaft
+regime-reduced = reduced to { $point }: F { $force }, m { $mass }
+motion-none = no [motion] in the scene, so only J and Q; add it, with speed = "60 rpm"
+plans-no-construction = no method with a construction fits here
+plans-step = { $construction }, step { $step }
+say-misses = no assembly: misses by { $gap } in { $place }; { $group }
+say-no-assembly = no assembly: { $reason }
+say-misses-beyond = no assembly: misses by { $gap } in { $place }; { $group }; it exists from { $from } to { $to }
+reduction-mechanism = the mechanism
+reduction-model = disc: M = { $moment }, J = { $inertia }
+reduction-at-rest = { $told } (at rest)
+reduction-with-flywheel = { $told } (with flywheel and rotor)

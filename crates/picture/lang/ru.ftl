@@ -50,3 +50,34 @@ motion-time = время, с
 chart-coordinate = координата, { $unit }
 regime-against = { $load }, против движения
 regime-excess-area = A* = { $work }
+position-at = положение { $position }, { $at }
+no-motion-found = Движение, которого требует сцена, не найдено:
+arrow-velocity = скорость
+arrow-acceleration = ускорение
+arrow-first = ПФ1: при единичной скорости
+arrow-second = ПФ2: при единичной скорости
+contact-friction = Fтр
+contact-forces = сила контакта: { $size }
+arrow-told = { $what }: { $size }
+forces-analyzer = метод силового анализа: { $method }
+forces-calculating = метод расчёта сил: { $method }; разность вычисляется
+forces-two-analyzers = 1 { $one } (линия)  2 { $other } (звёзды)   наибольшая разность { $difference }
+forces-hodograph = годограф: { $reaction }
+curve-zero = нуль
+curve-extreme = экстремум
+curve-inflection = перегиб
+curve-compared = { $quantity }   1 { $one } (линия)  2 { $other } (звёзды)
+curve-before = { $quantity }   1 теперь (линия)  2 до изменений (точки)
+drive-title = привод
+places-heading = привод с маховиком в двух местах
+regime-reduced = приведено к { $point }: F { $force }, m { $mass }
+motion-none = в сцене нет [motion], поэтому только J и Q; добавьте его, со speed = "60 rpm"
+plans-no-construction = здесь не подходит ни один метод с построением
+plans-step = { $construction }, шаг { $step }
+say-misses = механизм не собирается: не хватает { $gap }, { $place }; { $group }
+say-no-assembly = механизм не собирается: { $reason }
+say-misses-beyond = механизм не собирается: не хватает { $gap }, { $place }; { $group }; собирается от { $from } до { $to }
+reduction-mechanism = механизм
+reduction-model = диск: M = { $moment }, J = { $inertia }
+reduction-at-rest = { $told } (в покое)
+reduction-with-flywheel = { $told } (с маховиком и ротором)

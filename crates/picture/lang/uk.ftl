@@ -50,3 +50,34 @@ motion-time = час, с
 chart-coordinate = координата, { $unit }
 regime-against = { $load }, проти руху
 regime-excess-area = A* = { $work }
+position-at = положення { $position }, { $at }
+no-motion-found = Руху, якого вимагає сцена, не знайдено:
+arrow-velocity = швидкість
+arrow-acceleration = прискорення
+arrow-first = ПФ1: за одиничної швидкості
+arrow-second = ПФ2: за одиничної швидкості
+contact-friction = Fтр
+contact-forces = сила контакту: { $size }
+arrow-told = { $what }: { $size }
+forces-analyzer = метод силового аналізу: { $method }
+forces-calculating = метод розрахунку сил: { $method }; різниця обчислюється
+forces-two-analyzers = 1 { $one } (лінія)  2 { $other } (зірки)   найбільша різниця { $difference }
+forces-hodograph = годограф: { $reaction }
+curve-zero = нуль
+curve-extreme = екстремум
+curve-inflection = перегин
+curve-compared = { $quantity }   1 { $one } (лінія)  2 { $other } (зірки)
+curve-before = { $quantity }   1 тепер (лінія)  2 до змін (крапки)
+drive-title = привод
+places-heading = привод із маховиком у двох місцях
+regime-reduced = зведено до { $point }: F { $force }, m { $mass }
+motion-none = у сцені немає [motion], тому лише J і Q; додайте його, зі speed = "60 rpm"
+plans-no-construction = тут не підходить жоден метод із побудовою
+plans-step = { $construction }, крок { $step }
+say-misses = механізм не складається: бракує { $gap }, { $place }; { $group }
+say-no-assembly = механізм не складається: { $reason }
+say-misses-beyond = механізм не складається: бракує { $gap }, { $place }; { $group }; складається від { $from } до { $to }
+reduction-mechanism = механізм
+reduction-model = диск: M = { $moment }, J = { $inertia }
+reduction-at-rest = { $told } (у стані спокою)
+reduction-with-flywheel = { $told } (з маховиком і ротором)

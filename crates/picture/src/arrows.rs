@@ -22,7 +22,6 @@ const LONGEST_FORCE: f64 = 0.25;
 const TOLD: f64 = 0.5;
 /// First and second derivative with respect to time.
 const RATES: [Quantity; 2] = [Quantity::Velocity, Quantity::Acceleration];
-/// The orders of derivatives to draw.
 fn orders(look: &Look<'_>) -> &'static [u8] {
     match look.arrows {
         Arrows::None => &[],
@@ -70,7 +69,6 @@ pub fn items(results: &Results, look: &Look<'_>, pose: &Position) -> Vec<Item> {
     items
 }
 
-/// The vector of each point in a position.
 fn vectors(results: &Results, pose: &Position, position: usize, order: u8) -> Vec<(usize, [f64; 2])> {
     let points = &results.linkage.mechanism.points;
     let free = |id: &usize| points[*id].places.iter().all(|place| place.link != GROUND);
@@ -88,7 +86,6 @@ fn vectors(results: &Results, pose: &Position, position: usize, order: u8) -> Ve
     points.map(|id| (id, if order == 1 { motion(id).pf1 } else { motion(id).pf2 })).collect()
 }
 
-/// The greatest size of a vector over all positions.
 fn most(results: &Results, order: u8) -> f64 {
     series_of(results, order).map(|series| series.course.size()).fold(0.0, f64::max)
 }
@@ -132,7 +129,6 @@ fn is_contact(results: &Results, load: LoadId) -> bool {
     results.linkage.mechanism.loads[load].kind.contact().is_some()
 }
 
-/// The contacts that act in a pose.
 fn acting(results: &Results, pose: &Position) -> Vec<Acting> {
     let Some(found) = &results.found else { return Vec::new() };
     let calculation = found.plans.calculation();
@@ -178,7 +174,6 @@ pub fn contacts(results: &Results, pose: &Position) -> Vec<Item> {
     items
 }
 
-/// Greatest force of a contact over the cycle, N.
 fn greatest_force(results: &Results) -> f64 {
     let is_of_contact = |column: Column| match column.owner {
         Owner::Load(load) => column.quantity == Quantity::Load && is_contact(results, load),

@@ -65,7 +65,6 @@ fn panel(results: &Results, look: &Look<'_>, orders: [usize; 3], order: usize, i
     over_positions(&results.linkage, look, [catalogue::kind(series.column), value], &curves, signs)
 }
 
-/// The stroke of the curve of a second scene.
 fn stroke_of(compared: &Compared) -> Stroke {
     if compared.before { Stroke::Dotted } else { Stroke::Stars }
 }

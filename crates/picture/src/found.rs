@@ -4,12 +4,11 @@ use std::cell::RefCell;
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use assur_analysis::results::{Analysis, Checks, Column, Edges, Quantity, Table};
+use assur_analysis::results::{Analysis, Checks, Column, Edges, Quantity, Table, Turn};
 use assur_analysis::{AnalysisError, Calculation, Options, Watch};
 use assur_book::{Fact, Range};
-use assur_report::topic::{self, About};
-
 use assur_kinematics::Linkage;
+use assur_report::topic::{self, About};
 
 use crate::gather::{Gather, Reaction};
 use crate::{Planner, Series};
@@ -43,10 +42,6 @@ pub struct Found {
 
 impl Found {
     /// Calculates what a scene requests, and gathers its series; `linkage`: that of the calculation, with all groups.
-    ///
-    /// # Errors
-    ///
-    /// [`AnalysisError`] where the scene can't be calculated, or where `watch` breaks.
     pub fn of(
         calculation: Calculation,
         linkage: Arc<Linkage>,
@@ -92,6 +87,11 @@ impl Found {
     pub fn range(&self, series: &Series) -> Option<Range> {
         let find = || assur_book::range(self.plans.calculation(), &series.course, series.column);
         *self.ranges.borrow_mut().entry(series.column).or_insert_with(find)
+    }
+
+    /// A local extreme of a series as it is found between the positions too.
+    pub fn extreme(&self, series: &Series, turn: Turn) -> Turn {
+        assur_book::extreme(self.plans.calculation(), &series.course, series.column, turn)
     }
 
     /// Adds the checks, and the residuals as series.

@@ -1,7 +1,5 @@
 //! The reaction of a pair with dry friction as the textbooks draw it ([`FrictionDiagram`]).
 
-use std::f64::consts::TAU;
-
 use assur_analysis::results::{Column, Owner, Part, Quantity};
 use assur_diagram::FrictionDiagram;
 use assur_figure::number::digits;
@@ -12,8 +10,6 @@ use assur_words::{Text, name, quantity, text};
 
 use crate::Found;
 
-/// Straight pieces of a circle.
-const PIECES: usize = 48;
 /// Length of the force beside a circle, and half the side of the drawing, in radii of the circle.
 const FORCE: f64 = 2.5;
 const ROOM: f64 = 3.0;
@@ -76,12 +72,8 @@ fn circle(reaction: &Text, radius: f64, force: Point, lever: f64) -> Panel {
     let [x, y] = [force[0] / size, force[1] / size];
     let foot = [lever * y, -lever * x];
     let along = |length: f64| [foot[0] + length * radius * x, foot[1] + length * radius * y];
-    let points = (0..=PIECES).map(|piece| {
-        let (s, c) = (TAU * piece as f64 / PIECES as f64).sin_cos();
-        [radius * c, radius * s]
-    });
     let items = vec![
-        Item::line(points.collect::<Vec<_>>(), Stroke::Dashed, Ink::Third),
+        Item::circle([0.0; 2], radius, Stroke::Dashed, Ink::Third),
         Item::line(vec![along(-ROOM), along(ROOM)], Stroke::Dotted, Ink::Trace),
         Item::sign([0.0; 2], Sign::Ring, Ink::Title),
         Item::Arrow { from: foot, to: along(FORCE), stroke: Stroke::Solid, ink: Ink::First },

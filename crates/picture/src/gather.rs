@@ -48,7 +48,6 @@ impl Gather<'_> {
         parts.iter().filter_map(|part| self.add(whole.part(*part))).collect()
     }
 
-    /// Speed and acceleration of the input, reduced inertia and moment.
     pub(crate) fn motion(&mut self) -> Vec<usize> {
         let all = [
             Quantity::Velocity,
@@ -60,7 +59,6 @@ impl Gather<'_> {
         all.into_iter().filter_map(|quantity| self.add(Column::of(quantity, Owner::Input))).collect()
     }
 
-    /// Velocities and accelerations of points, links and slides.
     pub(crate) fn rates(&mut self) {
         let schema = self.table.schema();
         for quantity in [Quantity::Velocity, Quantity::Acceleration] {

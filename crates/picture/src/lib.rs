@@ -7,12 +7,15 @@
 //! * [`forces`]: reactions over the cycle, beside the friction of their pairs, and by [`causes`].
 //! * [`motion`], [`drive`]: the motion over the positions or over time, the steady regime with its motor and flywheel.
 //!
+//! A [`Picture`] is one of them by its name; [`find`] looks for what it shows.
+//!
 //! Knows no terminal, no file and no state of a screen.
 
 pub mod arrows;
 pub mod causes;
 pub mod curves;
 pub mod drive;
+pub mod find;
 pub mod forces;
 mod found;
 mod friction;
@@ -30,6 +33,7 @@ mod regime;
 mod results;
 mod series;
 mod transfer;
+mod view;
 
 pub use found::Found;
 pub use gather::Reaction;
@@ -38,6 +42,7 @@ pub use planner::{Planner, Plans};
 pub use probe::Probe;
 pub use results::{Broken, Compared, Results};
 pub use series::{Series, Transfer};
+pub use view::Picture;
 
 use assur_book::{Fact, Unit};
 use assur_kinematics::Linkage;

@@ -10,7 +10,6 @@ use crate::{Look, Probe, Results, Traces, arrows};
 
 /// A trail shows a path divided by this number.
 const TRAIL: usize = 4;
-/// Most links of a legend.
 const MOST_LINKS: usize = 12;
 
 /// The mechanism where it is now; the links in `marked` are highlighted.
@@ -105,7 +104,6 @@ fn broken(results: &Results, marked: &[usize], position: usize) -> Vec<Item> {
     items
 }
 
-/// The links of a group and of all after it.
 fn links_from(results: &Results, group: usize) -> Vec<usize> {
     let groups = results.linkage.structure.groups.iter().skip(group);
     groups.flat_map(|group| group.frame.links.iter().copied()).collect()

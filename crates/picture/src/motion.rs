@@ -47,7 +47,6 @@ pub fn not_found(reason: &Text, between: &'static str) -> Text {
     joined(between, [text!("no-motion-found"), reason.clone()])
 }
 
-/// Coordinate, speed, acceleration and energies over time.
 fn over_time(found: &Found, look: &Look<'_>) -> Vec<Panel> {
     let analysis = &found.analysis;
     let q = if analysis.input.angular { "rad" } else { "m" };

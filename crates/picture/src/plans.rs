@@ -125,7 +125,6 @@ pub fn labelled(part: ViewPart, plan: &VectorPlan) -> Vec<(String, &PlanVector)>
     drawn.map(|(number, item)| (label(part, item, number), item)).collect()
 }
 
-/// A plan as a panel.
 pub(crate) fn panel_of_plan(part: ViewPart, plan: &VectorPlan) -> Panel {
     let vectors = labelled(part, plan).into_iter().map(|(label, item)| {
         let ink = ink_of(part, item);
@@ -229,12 +228,10 @@ fn panel_of_steps(
     Some(panel)
 }
 
-/// Distance of two points.
 fn length([from, to]: [[f64; 2]; 2]) -> f64 {
     (to[0] - from[0]).hypot(to[1] - from[1])
 }
 
-/// The unit of the images on a lever.
 fn lever_unit(construction: &Construction) -> &'static str {
     let image = construction.steps.iter().find(|step| step.kind == VectorKind::Absolute);
     image.map_or("m", |step| step.unit)

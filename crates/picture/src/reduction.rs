@@ -1,7 +1,7 @@
 //! The reduction to the input link: the mechanism, its plan of velocities, the link with the reduced force and mass at its point
 //! (E fig. 1), and the disc that stands for the machine (D fig. 3.17).
 
-use std::f64::consts::{FRAC_PI_2, TAU};
+use std::f64::consts::FRAC_PI_2;
 
 use assur_analysis::InputMotion;
 use assur_analysis::results::{Column, Owner, Quantity};
@@ -14,7 +14,7 @@ use crate::{Found, Look, Results, ViewPart, mechanism, plans};
 
 /// Half the side of a picture, in radii of the point of reduction.
 const ROOM: f64 = 1.5;
-/// Straight pieces of a circle.
+/// Straight pieces of an arc.
 const PIECES: usize = 48;
 /// Radius of the arc of a moment, in radii.
 const ARC: f64 = 1.2;
@@ -22,7 +22,6 @@ const ARC: f64 = 1.2;
 const HEAD: f64 = 0.15;
 /// What is reduced in a position, to the input link and to its farthest point.
 struct Reduced {
-    /// The point, by its name.
     name: Text,
     radius: f64,
     pin: Point,
@@ -34,7 +33,6 @@ struct Reduced {
     most: f64,
     /// Reduced moment of inertia, with that of flywheel and rotor.
     inertia: f64,
-    /// Whether there is a flywheel or a rotor.
     has_shaft: bool,
     /// Whether the speed belongs to instants and not to the positions, so that the moment is that at rest.
     at_rest: bool,
@@ -67,7 +65,6 @@ impl Reduced {
         })
     }
 
-    /// A panel around the pin.
     fn panel(&self, title: Text, items: Vec<Item>) -> Panel {
         let corner = |side: f64| self.pin.map(|at| at + side * ROOM * self.radius);
         let bounds = Bounds { low: corner(-1.0), high: corner(1.0) };
@@ -106,9 +103,8 @@ impl Reduced {
     /// The disc with the reduced inertia and the reduced moment in its sense (D fig. 3.17).
     fn model(&self) -> Panel {
         let angle = (self.tip[1] - self.pin[1]).atan2(self.tip[0] - self.pin[0]);
-        let circle = (0..=PIECES).map(|piece| self.polar(1.0, TAU * piece as f64 / PIECES as f64));
         let mut items = vec![
-            Item::line(circle.collect::<Vec<_>>(), Stroke::Thick, Ink::First),
+            Item::circle(self.pin, self.radius, Stroke::Thick, Ink::First),
             Item::line([self.pin, self.polar(1.0, angle)], Stroke::Dashed, Ink::First),
             Item::sign(self.pin, Sign::Bearing, Ink::Ground),
         ];

@@ -49,10 +49,6 @@ pub struct Broken {
 
 impl Results {
     /// Calculates the positions of a linkage.
-    ///
-    /// # Errors
-    ///
-    /// [`AnalysisError`], as of any other calculation.
     pub fn of(linkage: Arc<Linkage>) -> Result<Self, AnalysisError> {
         let (table, edges) = transfer::positions(&linkage)?;
         let (series, transfers) = transfer::series(&linkage, &table, &edges);
@@ -114,6 +110,14 @@ impl Results {
             (!modes.all.is_empty()).then(|| Arc::new(modes))
         };
         self.modes.borrow_mut().entry([group, position]).or_insert_with(list).clone()
+    }
+
+    /// The names of the groups.
+    pub fn group_names(&self) -> Vec<Text> {
+        let structure = &self.linkage.structure;
+        (0..structure.groups.len())
+            .map(|group| structure.group_name(&self.linkage.mechanism, group))
+            .collect()
     }
 
     /// What a quantity belongs to: its kind and its name.

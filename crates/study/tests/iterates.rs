@@ -5,9 +5,9 @@ use std::ops::ControlFlow;
 use assur_all as _;
 use assur_group::PairSort::Pin;
 use assur_group::{Pattern, inventory};
+use assur_report::text::{Style, told};
 use assur_study::stability::{DISTANCES, Stability, stability};
 use assur_testkit::iterated;
-use assur_words::Language;
 
 // A ternary link on three binary ones.
 inventory::submit! {
@@ -54,14 +54,15 @@ fn studied(text: &str) -> Stability {
 #[test]
 fn a_group_that_is_found_by_iteration_keeps_its_bounds_and_margins() {
     let found = studied(PLATE_ON_STRUTS);
-    assert!(found.is_ok(), "{}", found.text(Language::english()));
+    let text = told(Style::english(), |page| found.tell(page));
+    assert!(found.is_ok(), "{text}");
     assert_eq!(found.groups.len(), 1);
     for distance in DISTANCES {
         let rows = found
             .rows
             .iter()
             .filter(|row| row.distance.total_cmp(&distance).is_eq() && row.finding.number().is_some());
-        assert!(rows.count() >= 4, "{distance}: {}", found.text(Language::english()));
+        assert!(rows.count() >= 4, "{distance}: {text}");
     }
     // The crank turns fully while 4 + 1 <= rod + 3 (Grashof).
     let rod = found.lengths.iter().find(|margin| margin.length.to_string().starts_with("rod")).unwrap();

@@ -107,10 +107,6 @@ impl Measure {
     }
 
     /// The measures of these names, in the order of their columns; `default` and `all` name several.
-    ///
-    /// # Errors
-    ///
-    /// [`SweepError::Request`] for an unknown name.
     pub fn named(names: &[impl AsRef<str>]) -> Result<Vec<Self>, SweepError> {
         let plain = |name: &str| KEYS.split(' ').find(|key| name.strip_prefix(PLAIN) == Some(*key));
         let is_known = |name: &str| MEASURES.iter().any(|measure| measure.name == name);

@@ -206,10 +206,6 @@ fn text(text: &str) -> CsvCell<'_> {
 
 impl Sweep {
     /// The header row with its line end; `ascii`: no character beyond ASCII.
-    ///
-    /// # Errors
-    ///
-    /// [`CsvError`] if the writer fails.
     pub fn csv_header(&self, ascii: bool) -> Result<String, CsvError> {
         header(self.columns.names(), ascii)
     }
@@ -233,10 +229,6 @@ impl Sweep {
 impl Rows {
     /// The rows as CSV without a header: comma separated, numbers with all their digits; `ascii`: no character beyond
     /// ASCII. A line end is the end of a row.
-    ///
-    /// # Errors
-    ///
-    /// [`CsvError`] if the writer fails.
     pub fn to_csv(&self, ascii: bool) -> Result<String, CsvError> {
         let row = |row| (0..self.header().len()).map(move |column| self.cell(row, column));
         rows(self.header(), (0..self.len()).map(row), ascii)

@@ -64,7 +64,6 @@ pub(crate) fn run(args: &AnalyzeArgs, style: Style) -> Result<Status, Fault> {
     written
 }
 
-/// Every check of a scene, one line each.
 pub(crate) fn check(args: &CheckedArgs, style: Style) -> Result<Status, Fault> {
     // The whole mechanism is checked, whatever results the scene requests.
     let options = args.options(true)?;
@@ -116,7 +115,6 @@ struct Results<'a> {
 }
 
 impl Results<'_> {
-    /// Writes something of each block of positions.
     fn each<T: Send>(
         &self,
         work: impl Fn(&Table) -> T + Sync,

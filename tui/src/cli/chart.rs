@@ -16,8 +16,9 @@ use super::options::Format;
 use super::output::Output;
 use super::scene;
 use super::style::Style;
-use crate::progress::{ProgressLine, SystemClock};
+use crate::progress::{ProgressLine, clock};
 use crate::session::Session;
+use crate::still;
 
 /// Exit status after Ctrl-C, the usual one in shells.
 const INTERRUPTED: u8 = 130;
@@ -38,10 +39,8 @@ pub(crate) struct ChartArgs {
     output: Option<PathBuf>,
 }
 
-/// Width and height of the picture, mm.
 const PAGE: [f64; 2] = [240.0, 200.0];
 
-/// Whether the ending of a name is that of a picture.
 fn is_picture(path: &Path) -> bool {
     path.extension()
         .is_some_and(|ending| ending.eq_ignore_ascii_case("svg") || ending.eq_ignore_ascii_case("png"))
@@ -68,8 +67,7 @@ pub(crate) fn run(args: &ChartArgs, style: Style) -> Result<Status, Fault> {
     let status = if stopped { Status::Code(INTERRUPTED) } else { verdict.status() };
     if let Some(path) = args.output.as_deref().filter(|path| is_picture(path)) {
         let figure = chart::figure(&data);
-        let picture =
-            crate::screen::command::picture(&figure, path, PAGE, style.language).map_err(Fault::Other)?;
+        let picture = still::picture(&figure, path, PAGE, style.language).map_err(Fault::Other)?;
         return output.write(picture, status);
     }
     let text = match args.format {
@@ -99,8 +97,7 @@ fn charted(
     let linkage = scene::linkage(session)?;
     let options = if quick { chart::ChartOptions::QUICK } else { chart::ChartOptions::THOROUGH };
     let line = ProgressLine::new(style.language);
-    let mut clock = SystemClock::default();
-    let found = chart::chart(&linkage, &mut clock, options, &mut |progress| {
+    let found = chart::chart(&linkage, &mut clock(), options, &mut |progress| {
         line.count(&progress.stage.heading(), progress.done, progress.total);
         if stop.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     });

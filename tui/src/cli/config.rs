@@ -14,7 +14,6 @@ use crate::screen::{Config, default_text};
 /// Path of the file below the folder of configurations.
 const FILE: &str = "assur/config.toml";
 
-/// Prints the default configuration.
 pub(crate) fn print(style: Style) -> Result<Status, Fault> {
     output::print(&style.text(&default_text(style.language)))?;
     Ok(Status::Done)

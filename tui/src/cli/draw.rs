@@ -2,12 +2,11 @@
 
 use std::io::Write;
 use std::path::PathBuf;
-use std::sync::Arc;
 
 use assur_analysis::Options;
-use assur_note::{Form, NoteError, Written};
-use assur_scene::Note;
-use assur_words::{Describe, Language, Text, name, text};
+use assur_note::Form;
+use assur_picture::Results;
+use assur_words::{Language, name, text};
 use clap::Args;
 
 use super::fault::{Fault, Status};
@@ -15,9 +14,8 @@ use super::options::SceneArgs;
 use super::output::Output;
 use super::scene;
 use super::style::Style;
-use crate::screen::state::State;
-use crate::screen::still::{self, PictureArgs, StillError};
 use crate::session::Session;
+use crate::still::{self, PictureArgs, StillError};
 use crate::verdict::Verdict;
 
 #[derive(Debug, Clone, Args)]
@@ -31,16 +29,29 @@ pub(crate) struct DrawArgs {
     output: PathBuf,
 }
 
+/// The results of a scene; what they lack, and what is probably not meant in it, is told.
+fn analyzed(
+    session: &Session,
+    options: &Options,
+    checks: bool,
+    style: Style,
+) -> Result<(Results, Verdict), Fault> {
+    let results = session.analyzed(options, checks).map_err(Fault::Scene)?;
+    let mut verdict = Verdict::default();
+    if let Some(found) = &results.found {
+        scene::doubt_motion(session, found.plans.calculation(), style)?;
+        verdict = Verdict::of(&found.analysis, found.plans.calculation(), Some(session));
+    }
+    verdict.tell(style);
+    Ok((results, verdict))
+}
+
 pub(crate) fn draw(args: &DrawArgs, style: Style) -> Result<Status, Fault> {
     let output = Output::of(Some(&args.output), &args.scene.scene)?;
     let options = scene::options(&args.scene.methods, false)?;
-    let session = Arc::new(scene::open(&args.scene.scene, style)?);
-    let mut state = still::analyzed(&session, options, args.request.shows_checks(), style.language)
-        .map_err(Fault::Scene)?;
-    scene::doubt_of_state(&state, &session, style)?;
-    let verdict = Verdict::of_state(&state, &session);
-    verdict.tell(style);
-    match still::draw(&mut state, &args.request, &args.output) {
+    let session = scene::open(&args.scene.scene, style)?;
+    let (results, verdict) = analyzed(&session, &options, args.request.shows_checks(), style)?;
+    match still::draw(&results, &args.request, &args.output, style.language) {
         Ok(content) => output.write(content, verdict.status()),
         Err(StillError::Nothing(why)) => {
             style.tell(text!("cli-nothing-to-draw", reason = why));
@@ -69,20 +80,16 @@ pub(crate) fn report(args: &ReportArgs, language: Option<&str>, style: Style) ->
         .ok_or_else(|| text!("cli-note-ending", file = name(args.output.display().to_string())))
         .map_err(Fault::Other)?;
     let options = scene::options(&args.scene.methods, false)?;
-    let session = Arc::new(scene::open(path, style)?);
+    let session = scene::open(path, style)?;
     let mut note = session.note.clone();
     if let Some(language) = language.and_then(Language::find) {
         note.language = language.code;
     }
-    let language = Language::find(note.language).unwrap_or_else(Language::english);
-    let state = still::analyzed(&session, options, true, language).map_err(Fault::Scene)?;
-    scene::doubt_of_state(&state, &session, style)?;
-    let verdict = Verdict::of_state(&state, &session);
-    verdict.tell(style);
+    let (results, verdict) = analyzed(&session, &options, true, style)?;
     let status = verdict.proved();
     let stem = args.output.file_stem().unwrap_or_default().to_string_lossy();
     let figures = format!("{stem}-figures");
-    let written = note_of(&state, &note, form, &figures).map_err(Fault::Other)?;
+    let written = assur_note::write(&results, &note, form, &figures).map_err(Fault::Other)?;
     if !written.figures.is_empty() {
         let folder = args.output.with_file_name(&figures);
         let names: Vec<&str> = written.figures.iter().map(|(name, _)| name.as_str()).collect();
@@ -94,20 +101,4 @@ pub(crate) fn report(args: &ReportArgs, language: Option<&str>, style: Style) ->
         })?;
     }
     output.write(written.text, status)
-}
-
-/// The note of a scene that is open in the terminal UI, by these methods.
-///
-/// # Errors
-///
-/// Why there is no note; in words.
-pub(crate) fn of_session(session: &Arc<Session>, options: Options) -> Result<String, Text> {
-    let language = Language::find(session.note.language).unwrap_or_else(Language::english);
-    let state = still::analyzed(session, options, true, language)?;
-    note_of(&state, &session.note, Form::Html, "").map(|written| written.text)
-}
-
-fn note_of(state: &State, note: &Note, form: Form, folder: &str) -> Result<Written, Text> {
-    let written = state.scene.as_ref().map(|scene| assur_note::write(scene, note, form, folder));
-    written.unwrap_or(Err(NoteError::NoResults)).map_err(|error| error.describe())
 }

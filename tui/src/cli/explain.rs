@@ -38,7 +38,6 @@ pub(crate) fn run(args: &ExplainArgs, style: Style) -> Result<Status, Fault> {
     Ok(Status::Done)
 }
 
-/// The energy form of the motion.
 fn energy(session: &Session, options: &Options, style: Style) -> Result<Status, Fault> {
     let study = scene::calculation(session, options, style)?;
     let analysis = study.analyze(&mut ProgressLine::new(style.language).watch()).map_err(Fault::told)?;

@@ -6,12 +6,9 @@ use std::process::ExitCode;
 use assur_words::{Describe, Text, errors, name, text, text_of};
 
 use crate::files::FileError;
-use crate::screen::ScreenError;
 
-/// How a command ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Status {
-    /// Success.
     Done,
     /// No assembly, no solution, or a check that fails.
     Failed,
@@ -41,36 +38,27 @@ impl From<Status> for ExitCode {
 
 /// Why a command failed; all errors end with status 2, except a reader that closed the pipe, with 0.
 pub(crate) enum Fault {
-    /// A file can't be read or written.
     File(FileError),
     /// Incomplete results would replace a file; the command ends with the status that it would have had.
     Partial(FileError, Status),
-    /// Standard output can't be written.
-    Stdout(io::Error),
     /// The faults of a scene, ready to print.
     Scene(Text),
-    /// Any other error, in words.
     Other(Text),
-    /// The terminal UI could not open.
-    Screen(ScreenError),
 }
 
-errors!(Fault; File(FileError), Screen(ScreenError));
+errors!(Fault; File(FileError));
 
 impl Describe for Fault {
     fn describe(&self) -> Text {
         match self {
             Self::File(error) | Self::Partial(error, _) => error.describe(),
-            Self::Stdout(error) => text!("cli-stdout", problem = text_of(error)),
             Self::Scene(faults) => faults.clone(),
             Self::Other(problem) => text!("cli-error", problem),
-            Self::Screen(error) => error.describe(),
         }
     }
 }
 
 impl Fault {
-    /// Its exit status.
     pub(crate) fn status(&self) -> Status {
         if let Self::Partial(_, status) = self { *status } else { Status::Bad }
     }
@@ -88,7 +76,11 @@ impl Fault {
     }
 
     /// From an error of writing to standard output.
+    #[expect(clippy::needless_pass_by_value, reason = "takes errors as `map_err` hands them over")]
     pub(crate) fn stdout(error: io::Error) -> Self {
-        if error.kind() == io::ErrorKind::BrokenPipe { FileError::Reader.into() } else { Self::Stdout(error) }
+        match error.kind() {
+            io::ErrorKind::BrokenPipe => FileError::Reader.into(),
+            _ => Self::Scene(text!("cli-stdout", problem = text_of(&error))),
+        }
     }
 }

@@ -12,7 +12,6 @@ use super::fault::{Fault, Status};
 use super::output;
 use super::style::Style;
 
-/// Columns of a page.
 const WIDTH: usize = 100;
 
 #[derive(Debug, Clone, Args)]
@@ -78,7 +77,6 @@ pub(crate) fn run(args: &KeysArgs, style: Style) -> Result<Status, Fault> {
 
 type Matches = (&'static KeyTable, Vec<&'static SceneKey>);
 
-/// How a key is written in its table.
 fn line(key: &SceneKey) -> String {
     format!("{} = {}", key.name, key.example)
 }
@@ -96,7 +94,6 @@ fn default(key: &SceneKey) -> Text {
     }
 }
 
-/// All keys as lines of the manual page.
 pub(crate) fn manual() -> String {
     let english = Language::english();
     let lines = text(&search("", english).collect::<Vec<_>>(), english);
@@ -132,7 +129,6 @@ fn text(found: &[Matches], language: &Language) -> String {
     page
 }
 
-/// The reference as a page of the documentation.
 fn markdown(found: &[Matches], language: &Language) -> String {
     let cell = |text: String| text.replace('|', "\\|");
     let mut page = format!("{}\n", text!("cli-keys-page").render(language));

@@ -39,7 +39,6 @@ pub(crate) fn plugins(style: Style) -> Result<Status, Fault> {
     Ok(Status::Done)
 }
 
-/// Rows of the motor catalogues.
 pub(crate) fn motors(args: &MotorArgs, style: Style) -> Result<Status, Fault> {
     if let Some(scene) = &args.advise {
         return advise(scene, style);
@@ -74,9 +73,7 @@ pub(crate) fn motors(args: &MotorArgs, style: Style) -> Result<Status, Fault> {
     Ok(Status::Done)
 }
 
-/// The motors that suit a scene.
 fn advise(path: &Path, style: Style) -> Result<Status, Fault> {
-    /// Most motors that are compared.
     const MOST: usize = 20;
     let session = scene::open(path, style)?;
     let study = scene::calculation(&session, &Options::default(), style)?;

@@ -63,7 +63,6 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     }
 }
 
-/// The command line with its commands and options.
 #[cfg(test)]
 pub(crate) fn program() -> clap::Command {
     Cli::command()
@@ -156,13 +155,12 @@ fn scene_or_screen(cli: Cli, (config, config_fault): Configured, style: Style) -
                 config,
                 config_fault: fault.clone(),
                 config_file: config::file(),
-                note: Some(draw::of_session),
             };
             let code = crate::screen::run(scene, options);
             if let Some(fault) = fault {
                 style.tell(fault);
             }
-            Ok(Status::Code(code?))
+            code.map(Status::Code).map_err(Fault::Scene)
         }
     }
 }

@@ -9,13 +9,11 @@ use tempfile::NamedTempFile;
 use super::fault::{Fault, Status};
 use crate::files::{self, FileError};
 
-/// Prints to standard output.
 pub(crate) fn print(text: &str) -> Result<(), Fault> {
     let mut stdout = io::stdout().lock();
     stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush()).map_err(Fault::stdout)
 }
 
-/// Whether `-o` names standard output: `-`.
 pub(crate) fn is_standard(path: &Path) -> bool {
     path.as_os_str() == "-"
 }

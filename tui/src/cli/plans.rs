@@ -49,7 +49,6 @@ pub(crate) fn chosen(
     Ok(Some(numbers))
 }
 
-/// There is no position of a number.
 fn no_position(option: &'static str, position: usize, count: usize) -> Fault {
     let [position, last] = [position, count - 1].map(words::number);
     Fault::Other(text!("cli-no-position", option = words::name(option), position, last))

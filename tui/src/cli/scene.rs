@@ -14,7 +14,6 @@ use super::options::{CheckedArgs, MethodArgs};
 use super::style::Style;
 use crate::files::FileError;
 use crate::progress::ProgressLine;
-use crate::screen::state::{Found, State};
 use crate::session::{Session, Source};
 use crate::verdict::Verdict;
 
@@ -39,14 +38,9 @@ pub(crate) fn calculated(session: &Session, options: &Options, style: Style) -> 
 }
 
 /// Tells what the motion of a scene shows to be probably not meant, or refuses it where that is an error.
-fn doubt_motion(session: &Session, calculation: &Calculation, style: Style) -> Result<(), Fault> {
+pub(crate) fn doubt_motion(session: &Session, calculation: &Calculation, style: Style) -> Result<(), Fault> {
     // What reading found is reported when the scene is opened.
     doubt(session, &calculation.doubts()[session.mechanism.notes.len()..], style)
-}
-
-/// Tells what the motion shows to be probably not meant in a scene of which the views are made.
-pub(crate) fn doubt_of_state(state: &State, session: &Session, style: Style) -> Result<(), Fault> {
-    state.found().map_or(Ok(()), |found| doubt_motion(session, found.plans.calculation(), style))
 }
 
 /// Tells what is probably not meant in a scene, or refuses it where that is an error.
@@ -96,25 +90,16 @@ impl CheckedArgs {
     }
 }
 
-/// The errors of a scene or a configuration.
 pub(crate) fn faults(errors: &SceneErrors) -> Fault {
     Fault::Scene(errors.describe())
 }
 
-/// An error of the scene as a whole.
 pub(crate) fn in_file(path: &Path, message: Text) -> Fault {
     FileError::read(path, message).into()
 }
 
 /// How a command that calculates a scene ends, and what is reported on standard error.
 impl Verdict {
-    /// What the results lack that the views and the note are made of.
-    pub(crate) fn of_state(state: &State, session: &Session) -> Self {
-        let found = state.found();
-        let of = |found: &Found| Self::of(&found.analysis, found.plans.calculation(), Some(session));
-        found.map(of).unwrap_or_default()
-    }
-
     /// The exit status of a command that gives results: 1 where some of them are missing.
     pub(crate) fn status(&self) -> Status {
         if self.is_complete() { Status::Done } else { Status::Failed }

@@ -10,7 +10,6 @@ use super::fault::{Fault, Status};
 use super::output;
 use crate::files;
 
-/// A completion script.
 pub(crate) fn completions(shell: clap_complete::Shell) -> Result<Status, Fault> {
     let mut script = Vec::new();
     clap_complete::generate(shell, &mut Cli::command(), "assur", &mut script);
@@ -18,7 +17,6 @@ pub(crate) fn completions(shell: clap_complete::Shell) -> Result<Status, Fault> 
     Ok(Status::Done)
 }
 
-/// The manual page, with all commands.
 pub(crate) fn man() -> Result<Status, Fault> {
     let mut page = Vec::new();
     let mut command = Cli::command();
@@ -36,7 +34,6 @@ pub(crate) fn man() -> Result<Status, Fault> {
     Ok(Status::Done)
 }
 
-/// Writes a scene to start from.
 pub(crate) fn new(path: &Path, kind: Option<&str>) -> Result<Status, Fault> {
     let scene =
         SCENES.iter().find(|(known, _)| Some(*known) == kind).map_or(assur_scene::STARTER, |(_, text)| text);

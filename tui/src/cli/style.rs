@@ -29,7 +29,6 @@ pub(crate) struct Style {
     pub(crate) ascii: bool,
     /// ASCII only in formats for programs, whose encoding is UTF-8 whatever the locale.
     pub(crate) ascii_data: bool,
-    /// The language in which a command speaks.
     pub(crate) language: &'static Language,
     /// Whether what is probably not meant in a scene is an error.
     pub(crate) strict: bool,
@@ -44,12 +43,10 @@ impl Style {
         Self { ascii, ascii_data, language: language.unwrap_or_else(Language::english), strict: false }
     }
 
-    /// How a report is written.
     pub(crate) fn words(self) -> assur_report::text::Style<'static> {
         assur_report::text::Style { ascii: self.ascii, language: self.language }
     }
 
-    /// Text as it may be printed.
     pub(crate) fn text(self, text: &str) -> Cow<'_, str> {
         if self.ascii { to_ascii(text) } else { Cow::Borrowed(text) }
     }

@@ -92,7 +92,6 @@ pub(crate) struct SweepArgs {
     methods: MethodArgs,
 }
 
-/// Reads I/N.
 fn shard(text: &str) -> Result<(NonZeroU32, NonZeroU32), Told> {
     let parts = text.split_once('/').and_then(|(part, of)| Some((part.parse().ok()?, of.parse().ok()?)));
     let parts: Option<(NonZeroU32, NonZeroU32)> = parts.filter(|(part, of)| part <= of);
@@ -158,7 +157,6 @@ fn fault(path: &Path, error: SweepError) -> Fault {
 struct Job<'a> {
     scene: &'a Path,
     sweep: &'a Sweep,
-    /// All its points.
     points: Range<usize>,
     /// Whether it has the first points, and with them the header.
     is_first: bool,
@@ -205,7 +203,6 @@ impl<'a> Job<'a> {
         origin
     }
 
-    /// Tells how much a long sweep will write, before it begins.
     fn tell_size(&self) {
         let (rows, columns) = (self.points.len(), self.sweep.columns().names().len());
         if rows >= LONG {
@@ -220,7 +217,6 @@ impl<'a> Job<'a> {
         }
     }
 
-    /// Calculates the points from `done` on.
     fn run<T: Send>(
         &self,
         done: usize,

@@ -17,7 +17,6 @@ pub(crate) enum Refused {
     Parser(clap::Error),
 }
 
-/// The command line, or why there is none.
 pub(crate) fn parse(arguments: &[std::ffi::OsString]) -> Result<Cli, Refused> {
     let cli = Cli::try_parse_from(arguments).map_err(|error| match explained(arguments, &error) {
         Some(fault) => Refused::Fault(fault),
@@ -97,13 +96,11 @@ fn owner(program: &clap::Command, option: &str, command: Option<&str>) -> Option
     found.map(|command| command.get_name().to_owned())
 }
 
-/// The fault that a scene precedes the command.
 fn behind(scene: &str, command: &str) -> Text {
     let [scene, command] = [scene, command].map(|word| name(word.to_owned()));
     text!("cli-scene-first", scene, command)
 }
 
-/// What other programs call a command, and the command.
 const OTHER_NAMES: &[(&str, &str)] = &[
     ("plot", "draw"),
     ("graph", "draw"),

@@ -12,7 +12,6 @@ use super::FileError;
 /// What the text of a lock begins with: a file with another text belongs to somebody else.
 const MARK: &str = "assur";
 
-/// Longest text of a lock that is read.
 const LONGEST: u64 = 200;
 
 /// How often a file is opened again that is removed or replaced at the same moment.
@@ -77,14 +76,12 @@ impl Drop for Lock {
     }
 }
 
-/// The first line of a lock.
 fn text_of(file: &mut File) -> io::Result<String> {
     let mut bytes = Vec::new();
     file.take(LONGEST).read_to_end(&mut bytes)?;
     Ok(String::from_utf8_lossy(&bytes).lines().next().unwrap_or_default().to_owned())
 }
 
-/// Writes who holds a lock.
 fn sign(file: &mut File) -> io::Result<()> {
     let host = fs::read_to_string("/proc/sys/kernel/hostname").unwrap_or_default();
     let of = if host.trim().is_empty() { String::new() } else { format!(" of {}", host.trim()) };

@@ -24,7 +24,6 @@ pub(crate) fn is_stream(path: &Path) -> bool {
     is_special(path) || stream_of(path).is_some()
 }
 
-/// Whether a path leads to what is neither a file nor a folder.
 fn is_special(path: &Path) -> bool {
     fs::metadata(path).is_ok_and(|found| !found.is_file() && !found.is_dir())
 }

@@ -19,7 +19,6 @@ use super::stream::open_stream;
 /// Lock of a folder while its files are replaced.
 const LOCK: &str = ".assur.lock";
 
-/// Temporary files next to their targets.
 static TEMPORARY: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 
 /// Writes a file completely: a failure leaves the old content in place. Devices and pipes are written to directly.
@@ -176,7 +175,6 @@ impl Replacement {
         Ok(Self { content, path })
     }
 
-    /// Replaces the content of the target.
     fn put(self) -> io::Result<()> {
         let temporary = self.content.into_temp_path();
         let put = take_place(&temporary, &self.path);
@@ -213,7 +211,6 @@ fn take_place(complete: &Path, path: &Path) -> io::Result<()> {
     }
 }
 
-/// Refuses to replace what is not a file, such as a device.
 fn refuse_special(old: &fs::Metadata) -> io::Result<()> {
     if old.is_file() {
         return Ok(());

@@ -21,7 +21,7 @@ const OUT: &str = "quit";
 
 /// The configuration; values that the file does not give are the defaults.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Config {
+pub(crate) struct Config {
     pub(crate) look: Look,
     pub(crate) panels: Panels,
     pub(crate) keys: Keymap,
@@ -62,7 +62,6 @@ fn look(root: &Section<'_>) -> Look {
     })
 }
 
-/// The value of a setting as a word.
 fn word(entry: &Entry<'_>, kind: &Kind) -> Option<String> {
     match kind {
         Kind::Choice(words) => {
@@ -91,7 +90,6 @@ fn panels(entry: &Entry<'_>) -> Panels {
     Panels { shown: !views.is_empty(), views }
 }
 
-/// A key as written in the file.
 struct Written {
     command: &'static str,
     key: Key,
@@ -119,7 +117,6 @@ fn keymap(table: &Entry<'_>) -> Keymap {
     keymap
 }
 
-/// The keys of one command: a text, or a list of texts.
 fn keys(entry: &Entry<'_>, command: &'static Command) -> Vec<Written> {
     let items = if entry.is_list() { entry.list(text!("config-name-of-key")) } else { vec![entry.clone()] };
     let key = |item: &Entry<'_>| {

@@ -19,12 +19,10 @@ pub(crate) fn cells(state: &State, zoom: Zoom) -> Look {
     Look { marker: state.look.marker, ratio: state.look.ratio, zoom, language: state.language() }
 }
 
-/// Draws the whole figure into an area.
 pub(crate) fn paint(state: &State, figure: &Figure, area: Rect, buffer: &mut Buffer) {
     paint_zoomed(state, figure, Zoom::WHOLE, area, buffer);
 }
 
-/// Draws the visible part of a figure into an area.
 pub(crate) fn paint_zoomed(state: &State, figure: &Figure, zoom: Zoom, area: Rect, buffer: &mut Buffer) {
     if zoom == Zoom::WHOLE && state.shows_pictures() && area.width > 0 && area.height > 0 {
         let mut figure = figure.clone();
@@ -74,7 +72,6 @@ pub(crate) fn put(buffer: &mut Buffer, area: Rect, column: u16, row: u16, text: 
     }
 }
 
-/// Writes lines one below the other.
 pub(crate) fn put_lines<'a>(
     buffer: &mut Buffer,
     area: Rect,

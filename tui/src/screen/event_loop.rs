@@ -43,12 +43,10 @@ pub(crate) fn run(state: State, config: Option<&Path>) -> io::Result<u8> {
     if ended.is_err() && died { Ok(DIED) } else { ended }
 }
 
-/// The loop and what it keeps from one round to the next.
 struct EventLoop {
     state: State,
     inbox: Arc<Inbox>,
     workers: Workers,
-    /// The time of the next frame of the animation.
     next_tick: Instant,
     /// When the last frame was drawn, and whether the next one differs.
     drawn: Instant,
@@ -147,7 +145,6 @@ impl EventLoop {
         Ok(())
     }
 
-    /// Applies one event; returns whether the frame may differ.
     fn apply(&mut self, event: Event) -> bool {
         let state = &mut self.state;
         match event {

@@ -25,7 +25,6 @@ const MOST: usize = 500;
 /// below the tenth of a second that is felt as a delay.
 const PATIENCE: Duration = Duration::from_millis(30);
 
-/// The events that wake the loop.
 #[derive(Debug)]
 pub(crate) enum Event {
     /// A key, the mouse, the focus, an answer of the terminal, the end of input.
@@ -43,11 +42,9 @@ impl Event {
     }
 }
 
-/// What waits, in its order.
 #[derive(Debug, Default)]
 struct Waiting {
     events: VecDeque<Event>,
-    /// How many of them are typed.
     typed: usize,
     /// How many were dropped and not reported yet.
     dropped: usize,
@@ -85,11 +82,9 @@ impl Waiting {
     }
 }
 
-/// The events that wait for the loop.
 pub(crate) struct Inbox {
     waiting: Mutex<Waiting>,
     came: Condvar,
-    /// The keys that end the program whatever is open.
     ends: Vec<Key>,
     /// Ends the program beside the loop.
     end: Box<dyn Fn() + Send + Sync>,
@@ -159,7 +154,6 @@ impl Inbox {
         self.waiting().events.is_empty()
     }
 
-    /// How many inputs were dropped since this was last asked.
     pub(crate) fn dropped(&self) -> usize {
         std::mem::take(&mut self.waiting().dropped)
     }
@@ -171,7 +165,6 @@ impl Inbox {
         self.asked.store(open, Ordering::SeqCst);
     }
 
-    /// Says whether the program may end without a warning.
     pub(crate) fn set_free(&self, free: bool) {
         self.free.store(free, Ordering::SeqCst);
     }

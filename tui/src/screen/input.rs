@@ -19,27 +19,23 @@ use super::pixels::{Answer, answer};
 const PATIENCE: Duration = Duration::from_millis(100);
 /// No key or report is longer; a longer sequence is dropped.
 const LONGEST: usize = 256;
-/// What stands around a pasted text.
 const PASTE: [&[u8]; 2] = [b"\x1b[200~", b"\x1b[201~"];
 /// A pasted text that has not ended after a pause of this time has no end: a slow connection may stop for long.
 const PASTE_PATIENCE: Duration = Duration::from_secs(3);
 /// Bytes of a pasted text that are kept; the rest of a longer one is dropped.
 const LONGEST_PASTE: usize = 1 << 16;
 const ESCAPE: u8 = 0x1b;
-/// Ctrl-C.
 const INTERRUPT: u8 = 3;
 /// Bytes that are read at once: as many as a terminal keeps.
 const PIECE: usize = 4096;
 /// Pieces that wait to be divided into keys: what waits is short, and the rest of a long input waits in the terminal.
 const PIECES: usize = 1;
 
-/// What comes from the terminal.
 #[derive(Debug)]
 pub(crate) enum Input {
     /// A key, a pasted text, the mouse, the focus.
     Event(Event),
     Answer(Answer),
-    /// Nothing more.
     End,
 }
 
@@ -85,7 +81,6 @@ pub(crate) struct Decoder {
     pub(crate) answers: Vec<Answer>,
 }
 
-/// What the bytes begin with.
 enum Head {
     Whole(usize),
     /// This many bytes that can't become a sequence.
@@ -94,7 +89,6 @@ enum Head {
 }
 
 impl Decoder {
-    /// The events of all complete sequences.
     pub(crate) fn take(&mut self, bytes: &[u8]) -> Vec<Event> {
         // Ctrl-C is a part of a pasted text, but alone and after a pause it is the key: this text has lost its end.
         if std::mem::take(&mut self.stalled) && bytes == [INTERRUPT] {
@@ -143,7 +137,6 @@ impl Decoder {
         }
     }
 
-    /// How long to wait for the rest of what has begun.
     fn patience(&self) -> Duration {
         match (&self.pasted, self.rest.is_empty()) {
             (Some(_), _) if self.stalled => PASTE_PATIENCE,
@@ -258,7 +251,6 @@ fn event(sequence: &[u8]) -> Option<Event> {
     parsed(sequence)
 }
 
-/// What the parser makes of a complete sequence.
 fn parsed(sequence: &[u8]) -> Option<Event> {
     let parsed = terminput::Event::parse_from(sequence).ok().flatten()?;
     terminput_crossterm::to_crossterm(parsed).ok()

@@ -28,12 +28,10 @@ const CHUNK: usize = 4096;
 /// Height of the letters of a picture in heights of a cell.
 const LETTERS: f64 = 0.6;
 
-/// An answer to the question.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Answer {
     /// The terminal takes pictures in this way.
     Takes(Pictures),
-    /// There are no further answers.
     End,
 }
 

@@ -163,7 +163,6 @@ fn terminal() -> io::Result<Terminal<CrosstermBackend<FrameBuffer>>> {
     Terminal::with_options(backend, TerminalOptions { viewport: Viewport::Fixed(area()?) })
 }
 
-/// Columns and rows of the terminal that are used.
 pub(crate) fn size() -> io::Result<(u16, u16)> {
     let (columns, rows) = crossterm::terminal::size()?;
     Ok((columns.min(MOST.0), rows.min(MOST.1)))

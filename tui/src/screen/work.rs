@@ -5,18 +5,18 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use assur_analysis::{Coverage, Options};
+use assur_note::Form;
 use assur_study::chart;
 use assur_study::stability::stability;
 use assur_words::{Describe, Text, number, text};
 
 use super::state::{CalculationRequest, Cancel, Job, Measured, Outcome, Purpose, Report, Scene, Wanted};
-use crate::progress::{SystemClock, told};
+use crate::progress::{clock, told};
 use crate::session::{Session, Source};
 
 /// Time between two updates of the progress.
 const PAUSE: Duration = Duration::from_millis(150);
 
-/// The report of a job that failed.
 pub(crate) fn failed(job: &Job, text: Text) -> Report {
     match job {
         Job::Read(wanted) => Report::Read(wanted.clone(), Err(text)),
@@ -30,7 +30,6 @@ pub(crate) fn failed(job: &Job, text: Text) -> Report {
     }
 }
 
-/// Performs a job; its reports are passed to `tell`.
 pub(crate) fn run(job: &Job, tell: &dyn Fn(Report)) -> Report {
     match job {
         Job::Read(wanted) => {
@@ -47,9 +46,7 @@ pub(crate) fn run(job: &Job, tell: &dyn Fn(Report)) -> Report {
             }
             Report::Read(wanted.clone(), scene)
         }
-        Job::Note { write, session, options, path } => {
-            Report::Noted(path.clone(), write(session, options.clone()))
-        }
+        Job::Note { session, options, path } => Report::Noted(path.clone(), note(session, options)),
         Job::Calculate(request) => {
             let tell = |outcome| tell(Report::Calculated(request.number, outcome));
             let mut watch = Watch {
@@ -65,6 +62,12 @@ pub(crate) fn run(job: &Job, tell: &dyn Fn(Report)) -> Report {
             Report::Calculated(request.number, last)
         }
     }
+}
+
+/// The explanatory note of a scene.
+fn note(session: &Session, options: &Options) -> Result<String, Text> {
+    let results = session.analyzed(options, true)?;
+    assur_note::write(&results, &session.note, Form::Html, "").map(|written| written.text)
 }
 
 /// Calculates a scene and reports the results, then checks them; results for a difference are not checked.
@@ -86,7 +89,7 @@ fn analyze(request: &CalculationRequest, watch: &mut Watch<'_>, tell: &dyn Fn(Ou
 
 /// Measures the methods; finished measurements are kept after a stop.
 fn measure(request: &CalculationRequest, watch: &mut Watch<'_>) -> Measured {
-    let (session, mut clock) = (&request.session, SystemClock::default());
+    let session = &request.session;
     let mut see = |now: chart::Progress| {
         watch.see(|| {
             let [done, total] = [now.done, now.total].map(number);
@@ -94,7 +97,7 @@ fn measure(request: &CalculationRequest, watch: &mut Watch<'_>) -> Measured {
         })
     };
     let chart = match session.linkage() {
-        Ok(linkage) => chart::chart(&linkage, &mut clock, chart::ChartOptions::QUICK, &mut see)
+        Ok(linkage) => chart::chart(&linkage, &mut clock(), chart::ChartOptions::QUICK, &mut see)
             .map_err(|error| error.describe()),
         Err(error) => Err(error.describe()),
     };

@@ -41,7 +41,6 @@ impl Kind {
 /// The kinds of which a job runs, each with the job that follows it.
 type Busy = HashMap<Kind, Option<Job>>;
 
-/// The threads that work beside the screen.
 pub(crate) struct Workers {
     tell: Arc<dyn Fn(Report) + Send + Sync>,
     busy: Arc<Mutex<Busy>>,

@@ -127,7 +127,6 @@ fn horizontal(map: &Map<'_>, width: u16, height: u16, language: &Language) -> Ve
     spots
 }
 
-/// The value of the horizontal axis under a column of a panel.
 pub(super) fn value_at(panel: &Panel, width: u16, column: u16) -> Option<f64> {
     let Frame::Axes { x, .. } = &panel.frame else { return None };
     let columns = columns(width);

@@ -6,7 +6,6 @@ use super::Spot;
 use super::raster::{Raster, short, whole};
 use crate::model::Ink;
 
-/// The texts of one area.
 #[derive(Debug)]
 pub(crate) struct Labels {
     size: [u16; 2],

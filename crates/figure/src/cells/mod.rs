@@ -145,10 +145,8 @@ fn draw_marks(marks: &[Item], size: [u16; 2], look: Look) -> (Raster, Labels) {
     (raster, labels)
 }
 
-/// Character of hatching.
 const HATCH: &str = "╱";
 
-/// The struts below a pin on the ground.
 fn bearing(raster: &mut Raster, [x, y]: [f64; 2], look: Look, ink: Ink) {
     if look.marker != Marker::Ascii {
         for side in [-1.5, 1.5] {
@@ -219,7 +217,6 @@ fn heading(title: &str, width: u16, rows: u16) -> Vec<String> {
     lines.iter().map(|line| cut(line, width)).collect()
 }
 
-/// The rows of a heading, from a column on.
 fn headed(lines: Vec<String>, column: u16) -> impl Iterator<Item = Spot> {
     (0..).zip(lines).map(move |(row, text)| Spot { column, row, text, ink: Ink::Title })
 }

@@ -54,7 +54,6 @@ impl Raster {
         cell.ink = ink;
     }
 
-    /// Draws a straight line.
     fn line(&mut self, from: [f64; 2], to: [f64; 2], ink: Ink) {
         let Some([from, to]) = self.clipped(from, to) else { return };
         let (across, down) = dots(self.marker);
@@ -67,7 +66,6 @@ impl Raster {
         }
     }
 
-    /// Draws straight pieces from point to point.
     pub(crate) fn polyline(&mut self, points: &[[f64; 2]], stroke: Stroke, ink: Ink) {
         let every = spacing(stroke);
         if every == 1 {
@@ -95,7 +93,6 @@ impl Raster {
         }
     }
 
-    /// Whether nothing is drawn in a cell.
     pub(crate) fn is_free(&self, column: usize, row: usize) -> bool {
         column < self.columns && row < self.rows && self.cells[row * self.columns + column].bits == 0
     }
@@ -106,7 +103,6 @@ impl Raster {
         Some((symbol(self.marker, cell), cell.ink))
     }
 
-    /// All characters, a span for each cell in which something is drawn.
     pub(crate) fn spots(&self) -> impl Iterator<Item = Spot> {
         (0..self.rows).flat_map(move |row| (0..self.columns).map(move |column| (column, row))).filter_map(
             |(column, row)| {
@@ -139,7 +135,6 @@ pub(crate) fn short(x: usize) -> u16 {
     u16::try_from(x).unwrap_or(u16::MAX)
 }
 
-/// Dots of a cell: across, down.
 fn dots(marker: Marker) -> (usize, usize) {
     match marker {
         Marker::Braille => (2, 4),

@@ -18,7 +18,6 @@ const APART: [f64; 2] = [16.0, 8.0];
 /// Least numbers of an axis.
 const LEAST_NUMBERS: usize = 3;
 
-/// The elements of a panel.
 pub(super) fn elements(
     panel: &Panel,
     shows_axis: bool,
@@ -110,7 +109,6 @@ fn count(length: f64, apart: f64) -> usize {
     ((length / apart) as usize).max(LEAST_NUMBERS)
 }
 
-/// The axis with free space at both ends.
 fn widened(axis: &Axis) -> Axis {
     let range = [axis.value(-FREE), axis.value(1.0 + FREE)];
     Axis { range, ..axis.clone() }

@@ -5,17 +5,14 @@ use std::fmt::Write;
 use super::{EM, width};
 use crate::model::{Ink, Point, Stroke};
 
-/// One element of a page.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Element {
     pub(crate) name: &'static str,
     /// Attributes by name; places are in millimeters.
     pub(crate) attributes: Vec<(&'static str, String)>,
-    /// Its text; may be empty.
     pub(crate) text: String,
 }
 
-/// How an outline is drawn.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Outline {
     pub(super) ink: Ink,
@@ -28,7 +25,6 @@ pub(super) struct Outline {
 /// Colors of the links, which differ for most color-blind readers (after Okabe and Ito).
 const LINKS: [&str; 6] = ["#0072b2", "#d55e00", "#56799a", "#b8860b", "#7b3294", "#4d4d4d"];
 
-/// The color of an ink on white paper.
 pub(crate) fn color(ink: Ink) -> &'static str {
     match ink {
         Ink::Text | Ink::Title | Ink::Ground => "#000000",
@@ -84,7 +80,6 @@ pub(super) fn polyline(all: &[Point], stroke: Stroke, ink: Ink) -> Element {
     element("polyline", line)
 }
 
-/// A fine line: hatching, axes.
 pub(super) fn fine(all: &[Point], ink: Ink) -> Element {
     polyline(all, Stroke::Stars, ink)
 }

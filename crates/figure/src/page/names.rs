@@ -6,7 +6,6 @@ use crate::model::Point;
 
 /// Mean width of a letter and of a digit of a proportional font, in text sizes.
 const LETTER: f64 = 0.62;
-/// Width of a narrow letter, in text sizes.
 const NARROW: f64 = 0.36;
 /// Distance of a name from its point, in text sizes.
 const APART: f64 = 0.35;
@@ -94,7 +93,6 @@ const BETWEEN: f64 = 0.3;
 #[derive(Debug)]
 pub(super) struct Names {
     room: Room,
-    /// Pieces of lines.
     lines: Vec<[Point; 2]>,
     /// Left, top, right, bottom of texts and signs.
     texts: Vec<[f64; 4]>,

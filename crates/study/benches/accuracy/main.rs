@@ -8,24 +8,16 @@ use std::time::Instant;
 
 use assur_all as _;
 use assur_kinematics::Linkage;
-use assur_study::chart::{ChartData, ChartOptions, Clock, chart};
-
-/// The clock of this machine.
-struct SystemClock(Instant);
-
-impl Clock for SystemClock {
-    fn seconds(&mut self) -> f64 {
-        self.0.elapsed().as_secs_f64()
-    }
-}
+use assur_study::chart::{ChartData, ChartOptions, chart};
 
 /// A thorough chart of a shipped scene, or why there is none.
 fn charted(text: &str, name: &str) -> Result<ChartData, String> {
     let mechanism = assur_scene::read(name, text).map_err(|error| error.to_string())?;
     let linkage = Linkage::compile(mechanism).map_err(|error| error.to_string())?;
-    let mut clock = SystemClock(Instant::now());
+    let start = Instant::now();
     let go_on = &mut |_| ControlFlow::Continue(());
-    chart(&linkage, &mut clock, ChartOptions::THOROUGH, go_on).map_err(|error| error.to_string())
+    chart(&linkage, &mut || start.elapsed().as_secs_f64(), ChartOptions::THOROUGH, go_on)
+        .map_err(|error| error.to_string())
 }
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {

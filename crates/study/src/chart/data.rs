@@ -46,7 +46,6 @@ impl Stage {
     pub const ALL: [Self; 6] =
         [Self::Kinematics, Self::Forces, Self::Friction, Self::Motion, Self::Flywheel, Self::Steady];
 
-    /// Its name in JSON and CSV, its heading, and what its times are of.
     fn texts(self) -> (&'static str, Text, Text) {
         let position = text!("chart-one-position");
         match self {
@@ -221,10 +220,6 @@ impl ChartData {
     }
 
     /// One line of JSON, in the format of results.
-    ///
-    /// # Errors
-    ///
-    /// The error of the serializer, which no value here causes.
     pub fn to_json(&self) -> Result<String, serde_json::Error> {
         serde_json::to_string(self).map(|line| line + "\n")
     }
@@ -234,10 +229,6 @@ const HEADER: &str =
     "stage method setting value seconds_s unit evaluations error at_most ok front auto reason";
 
 /// All rows, comma separated, full precision; an empty field where nothing is known.
-///
-/// # Errors
-///
-/// The error of the writer, which no value here causes.
 pub fn csv(data: &ChartData) -> Result<String, CsvError> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     writer.write_record(HEADER.split(' '))?;

@@ -83,7 +83,6 @@ pub(super) fn drawn(
 
 /// Columns of a chart by default.
 pub const WIDTH: u16 = 92;
-/// Lines of a figure.
 const HEIGHT: u16 = 24;
 
 /// All stages for a reader, in about `width` columns; only a row of a table may be wider.

@@ -59,7 +59,6 @@ impl<'a> Loaded<'a> {
         Ok(loaded)
     }
 
-    /// The state of a position.
     pub(crate) fn state(&self, index: usize) -> LoadState {
         state(&self.work.linkage.mechanism, self.positions[index].coordinate)
     }
@@ -117,7 +116,6 @@ fn sizes(truth: &[Reactions<Dd>], scale: f64) -> [f64; 3] {
     [force, moment, positive(balancing, moment)]
 }
 
-/// All methods that can give forces.
 pub(crate) fn field<'a>(loaded: &'a Loaded<'a>) -> Result<Field<'a>, ChartError> {
     let linkage = loaded.work.linkage;
     let mut entries = Vec::new();
@@ -144,7 +142,6 @@ fn row(method: &str, number: &'static str) -> Measurement {
     Measurement::new(Stage::Forces, method, Setting::word("number", number))
 }
 
-/// A registered analyzer.
 fn registered<'a>(
     loaded: &'a Loaded<'a>,
     plugin: &'static AnalyzerPlugin,

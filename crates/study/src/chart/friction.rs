@@ -11,13 +11,11 @@ use super::forces::Loaded;
 use super::race::Field;
 use super::{ChartError, Measurement, Reference, Setting, Stage};
 
-/// Steps of the textbook iteration.
 const STEPS: [u32; 5] = [1, 2, 4, 8, 16];
 
 /// Widths of a regularized law: the relative speed, as part of its greatest, below which its friction is less.
 const WIDTHS: [f64; 3] = [1e-1, 1e-2, 1e-3];
 
-/// Positions with friction.
 pub(crate) struct FrictionMethods<'a> {
     loaded: &'a Loaded<'a>,
     frictions: &'a Frictions,
@@ -90,7 +88,6 @@ impl<'a> FrictionMethods<'a> {
         Kinetostatics::new(self.linkage(), self.loads, plugin.instance, &carrying)
     }
 
-    /// Forces of friction and the balancing load of a position.
     fn solved(&self, forces: &mut Kinetostatics<'_>, index: usize) -> Result<Vec<f64>, Text> {
         friction_and_balancing(forces, &self.states[index], &self.loaded.positions[index])
     }
@@ -135,14 +132,12 @@ impl<'a> FrictionMethods<'a> {
     }
 }
 
-/// The methods that treat the friction of a mechanism.
 pub(crate) fn treating(linkage: &Linkage) -> Result<Vec<&'static AnalyzerPlugin>, RegistryError> {
     let mut all = analyzers()?;
     all.retain(|plugin| plugin.treats_friction && plugin.supports(linkage).is_ok());
     Ok(all)
 }
 
-/// The forces of friction, then the balancing load.
 pub(crate) fn friction_and_balancing(
     forces: &mut Kinetostatics<'_>,
     state: &LoadState,

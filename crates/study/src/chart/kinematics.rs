@@ -15,7 +15,6 @@ use super::{ChartError, ChartOptions, Measurement, Setting, Stage};
 use differences::{Differentiator, Stencil};
 use general::general;
 
-/// All methods that can give transfer functions.
 pub(crate) fn field<'a>(work: &'a Work<'a>, options: ChartOptions) -> Result<Field<'a>, ChartError> {
     let number = |method: &str, name| row(method, Setting::word("number", name));
     let mut entries = vec![
@@ -46,7 +45,6 @@ fn row(method: &str, setting: Setting) -> Measurement {
     Measurement::new(Stage::Kinematics, method, setting)
 }
 
-/// The program's own positions.
 fn own<'a>(work: &'a Work<'a>) -> impl FnMut(usize, bool) -> Result<f64, Text> + 'a {
     let mut position = work.linkage.position();
     move |index, judged| {
@@ -81,7 +79,6 @@ fn kept<T: Number>(work: &Work<'_>) -> Option<Vec<Vec<Body<T>>>> {
     iterates.then(|| work.coordinates.iter().map(|&q| work.linkage.starting_bodies(q)).collect())
 }
 
-/// The error of a chain, with group and coordinate.
 fn failure(linkage: &Linkage, q: f64, error: &assur_kinematics::ChainError) -> Text {
     let group = linkage.structure.group_name(&linkage.mechanism, error.group);
     let coordinate = number(format_args!("{q:.9}"));

@@ -7,7 +7,7 @@
 //!   method. A method is never its own reference. What lies below the reference's own error estimate is reported as
 //!   "at most that".
 //! * **Times** are medians of repeated runs in one process, the methods taking turns so that drift hits all alike. The
-//!   clock is handed in ([`Clock`]); nothing else here depends on it but how often a run is repeated.
+//!   clock is handed in; nothing else here depends on it but how often a run is repeated.
 
 mod data;
 mod figure;
@@ -24,7 +24,7 @@ pub(crate) mod work;
 pub use data::{ChartData, Measurement, Reference, Setting, SettingValue, Stage, csv};
 pub use figure::{WIDTH, figure, stage_text, text};
 pub(crate) use forces::state;
-pub use race::{ChartOptions, Clock, Progress};
+pub use race::{ChartOptions, Progress};
 pub use run::{ChartError, chart};
 
 #[cfg(test)]

@@ -14,14 +14,12 @@ use super::{ChartError, ChartOptions, Measurement, Setting, Stage};
 
 use reference::References;
 
-/// A motion that integrators are to find.
 #[derive(Debug, Clone)]
 pub(crate) struct Task<'a> {
     pub(crate) motion: Driven<'a>,
     pub(crate) request: Request,
 }
 
-/// All integrators over their settings.
 pub(crate) fn field<'a>(task: &Task<'a>, options: ChartOptions) -> Result<Field<'a>, ChartError> {
     let references = References::find(task)?;
     let mut entries = Vec::new();

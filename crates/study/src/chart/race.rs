@@ -10,7 +10,6 @@ use super::{Measurement, Reference, Stage};
 /// Shortest stretch that is timed, s: far above the resolution of a clock.
 const STRETCH: f64 = 2e-4;
 
-/// Most runs in one stretch.
 const MOST_RUNS: f64 = 1e5;
 
 /// A run longer than this, s, need not be repeated.
@@ -20,25 +19,19 @@ const LONG: f64 = 0.05;
 pub(crate) const STOPPED: Text = text!("chart-not-reached");
 const OUT_OF_TIME: Text = text!("chart-out-of-time");
 
-/// The clock, the options, and the watcher.
 pub(crate) struct Judge<'a> {
-    pub(crate) clock: &'a mut dyn Clock,
+    pub(crate) clock: &'a mut dyn FnMut() -> f64,
     pub(crate) options: ChartOptions,
     pub(crate) progress: &'a mut dyn FnMut(Progress) -> ControlFlow<()>,
-    /// When the chart began.
     pub(crate) start: f64,
-    /// A stop was requested.
     pub(crate) stopped: bool,
 }
 
 /// An entry that was compared with the reference and can be timed.
 struct Timed<'e, 'a> {
     entry: &'e mut Entry<'a>,
-    /// Runs in one stretch.
     runs: f64,
-    /// Number of timings to take.
     rounds: usize,
-    /// Measured times of one run, s.
     times: Vec<f64>,
 }
 
@@ -50,10 +43,9 @@ impl Judge<'_> {
     }
 
     fn out_of_time(&mut self) -> bool {
-        self.clock.seconds() - self.start > self.options.limit
+        (self.clock)() - self.start > self.options.limit
     }
 
-    /// Compares and times all entries of a stage.
     pub(crate) fn race(&mut self, stage: Stage, field: Field<'_>) -> Vec<Measurement> {
         let Field { reference, mut entries } = field;
         let total = entries.len() + self.options.rounds;
@@ -86,9 +78,9 @@ impl Judge<'_> {
             entry.row.reason = Some(if self.stopped { STOPPED } else { OUT_OF_TIME });
             return None;
         }
-        let before = self.clock.seconds();
+        let before = (self.clock)();
         let verdict = work(true);
-        let time = self.clock.seconds() - before;
+        let time = (self.clock)() - before;
         let row = &mut entry.row;
         row.evaluations = verdict.evaluations;
         row.error = verdict.error.filter(|error| error.is_finite());
@@ -145,13 +137,13 @@ impl Judge<'_> {
     /// Time of one run, s, averaged over several.
     fn stretch(&mut self, entry: &mut Entry<'_>, runs: f64) -> f64 {
         let Some(work) = entry.work.as_mut() else { return 0.0 };
-        let before = self.clock.seconds();
+        let before = (self.clock)();
         let mut left = runs;
         while left > 0.0 {
             std::hint::black_box(work(false));
             left -= 1.0;
         }
-        (self.clock.seconds() - before) / runs
+        ((self.clock)() - before) / runs
     }
 }
 
@@ -161,7 +153,6 @@ fn grown(runs: f64, one: f64) -> f64 {
     wanted.clamp(runs + 1.0, runs * 10.0).min(MOST_RUNS).ceil()
 }
 
-/// The median; `None` of nothing.
 pub(crate) fn median(mut times: Vec<f64>) -> Option<f64> {
     times.sort_by(f64::total_cmp);
     let middle = times.len() / 2;
@@ -170,12 +161,6 @@ pub(crate) fn median(mut times: Vec<f64>) -> Option<f64> {
         return Some(upper);
     }
     Some(0.5 * (times[middle - 1] + upper))
-}
-
-/// A clock that the caller provides.
-pub trait Clock {
-    /// Time since some fixed instant, s; never goes back.
-    fn seconds(&mut self) -> f64;
 }
 
 /// How thorough the measurement is.
@@ -209,12 +194,6 @@ impl ChartOptions {
     }
 }
 
-impl Default for ChartOptions {
-    fn default() -> Self {
-        Self::THOROUGH
-    }
-}
-
 /// Progress of a chart.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Progress {
@@ -226,14 +205,12 @@ pub struct Progress {
     pub total: usize,
 }
 
-/// The outcome of a run.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct Verdict {
     /// Evaluations in one unit of work.
     pub(crate) evaluations: Option<u64>,
     /// Largest relative deviation; `None` without a result.
     pub(crate) error: Option<f64>,
-    /// What failed.
     pub(crate) failure: Option<Text>,
 }
 
@@ -283,7 +260,6 @@ type Work<'a> = Box<dyn FnMut(bool) -> Verdict + 'a>;
 /// A row that is not measured yet; without work it has its reason already.
 pub(crate) struct Entry<'a> {
     pub(crate) row: Measurement,
-    /// Units of work in one run.
     pub(crate) units: f64,
     pub(crate) work: Option<Work<'a>>,
 }
@@ -301,7 +277,6 @@ impl<'a> Entry<'a> {
     }
 }
 
-/// All methods of a stage, and their reference.
 pub(crate) struct Field<'a> {
     pub(crate) reference: Reference,
     pub(crate) entries: Vec<Entry<'a>>,

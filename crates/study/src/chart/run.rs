@@ -18,9 +18,8 @@ use super::race::Field;
 use super::race::Judge;
 use super::steady::{self, Cycle};
 use super::work::Work;
-use super::{ChartData, ChartOptions, Clock, Measurement, Progress, SettingValue, Stage, kinematics};
+use super::{ChartData, ChartOptions, Measurement, Progress, SettingValue, Stage, kinematics};
 
-/// Output instants over a cycle of a steady regime.
 const SAMPLES_OF_A_CYCLE: usize = 48;
 
 /// Longest run of an integrator in a quick chart, s.
@@ -79,15 +78,15 @@ impl Describe for ChartError {
 
 /// Measures every method of every stage that a mechanism has.
 ///
-/// `progress` is called before each piece of work; when it breaks, the finished measurements are kept and
+/// `clock` gives the time since some fixed instant, s, and never goes back. `progress` is called before each piece of work; when it breaks, the finished measurements are kept and
 /// [`ChartData::complete`] is false.
 pub fn chart(
     linkage: &Linkage,
-    clock: &mut dyn Clock,
+    clock: &mut dyn FnMut() -> f64,
     options: ChartOptions,
     progress: &mut dyn FnMut(Progress) -> ControlFlow<()>,
 ) -> Result<ChartData, ChartError> {
-    let start = clock.seconds();
+    let start = clock();
     let mut charting = Charting {
         judge: Judge { clock, options, progress, start, stopped: false },
         data: ChartData {
@@ -117,7 +116,6 @@ impl Charting<'_> {
         self.data.rows.extend(self.judge.race(stage, field));
     }
 
-    /// Transfer functions and forces.
     fn positions(&mut self, linkage: &Linkage) -> Result<(), ChartError> {
         let work = Work::new(linkage)?;
         if !linkage.groups().is_empty() {
@@ -173,12 +171,12 @@ impl Charting<'_> {
     fn steps_in_time(&mut self, task: &Task<'_>) -> usize {
         const EVALUATIONS: u32 = 200;
         let mut motion = task.motion.clone();
-        let before = self.judge.clock.seconds();
+        let before = (self.judge.clock)();
         for _ in 0..EVALUATIONS {
             // A failure here is reported in the rows of the methods.
             let _ = std::hint::black_box(motion.reduced(&task.request.initial));
         }
-        let one = (self.judge.clock.seconds() - before) / f64::from(EVALUATIONS);
+        let one = ((self.judge.clock)() - before) / f64::from(EVALUATIONS);
         (QUICK_RUN / (4.0 * one)).clamp(500.0, 1e6) as usize
     }
 
@@ -211,7 +209,6 @@ pub(crate) fn front(points: &[(f64, f64)]) -> Vec<usize> {
     order
 }
 
-/// Marks the rows that are on the front of their stage.
 pub(crate) fn mark(rows: &mut [Measurement]) {
     for stage in Stage::ALL {
         let known: Vec<(usize, (f64, f64))> = rows

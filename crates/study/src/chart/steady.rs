@@ -73,7 +73,6 @@ impl<'a> Cycle<'a> {
     }
 }
 
-/// All that can find the regime.
 pub(crate) fn field<'a>(cycle: &'a Cycle<'a>, options: ChartOptions) -> Field<'a> {
     let row = |method: &str, setting| Measurement::new(Stage::Steady, method, setting);
     let judges = settling::Judges::find(cycle);
@@ -124,7 +123,6 @@ fn settle(cycle: &Cycle<'_>, tolerance: f64) -> Result<(f64, usize), Text> {
     Ok((iterations.last().map_or(f64::NAN, |last| last.speed_end), machine.count))
 }
 
-/// An equation of motion that counts its evaluations.
 #[derive(Debug)]
 struct Counted<M> {
     motion: M,

@@ -16,16 +16,13 @@ const NEAR_CHANGE: f64 = 0.02;
 /// references are kept.
 const MOST_POSITIONS: usize = 3600;
 
-/// The positions with their reference.
 pub(crate) struct Work<'a> {
     pub(crate) linkage: &'a Linkage,
     /// Coordinates, rad or m.
     pub(crate) coordinates: Vec<f64>,
-    /// The bodies in extended precision, by position.
     pub(crate) truth: Vec<Vec<Body<Dd>>>,
     pub(crate) ruler: Ruler,
     pub(crate) reference: Reference,
-    /// The chain in extended precision.
     pub(crate) extended: Chain<Dd>,
 }
 

@@ -56,7 +56,6 @@ impl GroupHealth {
 /// Coordinates over the range of the scene, both ends included, between which minima are sought.
 pub(crate) struct Grid {
     pub(crate) coordinates: Vec<f64>,
-    /// Its end is its beginning.
     is_cycle: bool,
 }
 

@@ -42,10 +42,6 @@ pub struct Stability {
 /// singular one.
 ///
 /// `watch` is called before each piece of work with the number of finished pieces and of all pieces; it breaks to stop.
-///
-/// # Errors
-///
-/// Continues with [`CompileError`] if the mechanism can't be decomposed into registered groups.
 pub fn stability(
     mut mechanism: Mechanism,
     watch: &mut dyn FnMut(usize, usize) -> ControlFlow<()>,
@@ -101,19 +97,11 @@ impl Stability {
     }
 
     /// As one JSON object in one line.
-    ///
-    /// # Errors
-    ///
-    /// The error of the writer of JSON.
     pub fn to_json(&self) -> Result<String, serde_json::Error> {
         serde_json::to_string(self).map(|text| text + "\n")
     }
 
     /// All rows as a table with commas, one header row.
-    ///
-    /// # Errors
-    ///
-    /// The error of the writer of CSV, which no value here causes.
     pub fn to_csv(&self) -> Result<String, CsvError> {
         let mut writer = csv::Writer::from_writer(Vec::new());
         for row in &self.rows {

@@ -15,7 +15,6 @@ const MOST_PLACES: usize = 24;
 /// Most solutions of a group for all walks; a mechanism of very many groups has fewer targets.
 const MOST_GROUPS: usize = 1200;
 
-/// The target of a walk.
 #[derive(Debug)]
 pub(crate) struct Target {
     pub(crate) coordinate: f64,
@@ -23,9 +22,7 @@ pub(crate) struct Target {
     pub(crate) sides: Vec<f64>,
     /// Greatest distance at which the walk may begin, rad or m.
     pub(crate) reach: f64,
-    /// The groups of least health there.
     pub(crate) groups: Vec<usize>,
-    /// The kind of the place.
     pub(crate) words: Text,
 }
 

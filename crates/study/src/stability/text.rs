@@ -14,10 +14,8 @@ use super::{margin, walk};
 /// Most failed rows that the conclusion lists.
 const MOST_FAILED: usize = 10;
 
-/// All distances of one method on one walk.
 struct Walk<'a> {
     first: &'a Comparison,
-    /// Largest error over bound.
     factor: f64,
     /// Least and greatest distance at which the method refuses.
     refuses: Option<[f64; 2]>,

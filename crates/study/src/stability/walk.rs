@@ -34,7 +34,6 @@ pub(crate) struct Walk<'a> {
     disparity: Vec<f64>,
 }
 
-/// One stop of a walk.
 struct Stop<'a> {
     /// The coordinate, rad or parts of the size.
     q: f64,
@@ -109,13 +108,11 @@ impl<'a> Walk<'a> {
         })
     }
 
-    /// With other loads, one for each link.
     #[cfg(test)]
     pub(crate) fn with_loads(self, loads: Vec<Wrench<f64>>) -> Self {
         Self { loads, ..self }
     }
 
-    /// Performs the walk to a target.
     pub(crate) fn to(&self, target: &Target, rows: &mut Vec<Comparison>) {
         let unit = self.linkage.coordinate_unit();
         for distance in DISTANCES.into_iter().filter(|d| d * unit <= target.reach) {
@@ -155,7 +152,6 @@ impl<'a> Walk<'a> {
         }
     }
 
-    /// Transfer functions of one group.
     fn transfer(
         &self,
         (target, group): (&Target, usize),
@@ -197,7 +193,6 @@ impl<'a> Walk<'a> {
         }
     }
 
-    /// How errors grow up to a group.
     fn growth(&self, group: usize, health: &[f64]) -> f64 {
         growth(self.ancestors[group].iter().map(|&i| health[i].abs()))
     }
@@ -212,7 +207,6 @@ impl<'a> Walk<'a> {
         (self.growth(group, &reference.health) * size(1, 1).powi(2) / size(2, 2)).max(1.0)
     }
 
-    /// Reactions of all pairs by each analyzer.
     fn forces(&self, target: &Target, at: &Stop<'_>, position: &Position, rows: &mut Vec<Comparison>) {
         let Some((&first, others)) = target.groups.split_first() else { return };
         let place = target.place(self.linkage, first, others.len());
@@ -233,7 +227,6 @@ impl<'a> Walk<'a> {
         }
     }
 
-    /// Largest deviation of the reactions by one analyzer.
     fn reactions(
         &self,
         plugin: &AnalyzerPlugin,

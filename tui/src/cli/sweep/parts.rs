@@ -66,14 +66,11 @@ fn opened(unfinished: &Unfinished<'_>) -> Result<File, Fault> {
     File::open(path).map_err(|error| unfinished.fault(error))
 }
 
-/// The folder of the parts.
 struct Folder<'a> {
     unfinished: &'a Unfinished<'a>,
     /// As it was when the sweep began.
     opened: File,
-    /// Rows of each part but the last.
     rows: usize,
-    /// What the rows are made of.
     origin: Origin,
 }
 
@@ -105,7 +102,6 @@ impl Folder<'_> {
         put.map_err(|error| self.fault(error))
     }
 
-    /// The points of the parts that an earlier run wrote.
     fn found(&self, job: &Job<'_>) -> Result<Tally, Fault> {
         let mut all = Tally::default();
         for index in 0.. {
@@ -115,7 +111,7 @@ impl Folder<'_> {
             };
             let left = job.points.len().saturating_sub(all.points);
             let foreign = || self.unfinished.foreign(all.points + 1);
-            let part = FilePart::read(file, job.sweep).ok_or_else(foreign)?;
+            let part = FilePart::read(&file, job.sweep).ok_or_else(foreign)?;
             self.unfinished.compare(&part.origin, &self.origin)?;
             if part.tally.points != left.min(self.rows) {
                 return Err(foreign());
@@ -129,7 +125,6 @@ impl Folder<'_> {
         Ok(all)
     }
 
-    /// All parts in one file.
     fn joined(&self, job: &Job<'_>, parts: usize) -> Result<PathBuf, Fault> {
         self.unfinished.keep(&self.opened)?;
         let out = files::create_own(&self.next()).map_err(|error| self.fault(error))?;

@@ -14,7 +14,6 @@ use crate::files::{self, FileError, Lock};
 /// What the name of the file that says what rows of CSV are made of adds to theirs.
 const ORIGIN: &str = ".origin.json";
 
-/// Form of the rows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Form {
     Csv,
@@ -42,7 +41,6 @@ pub(super) fn form(path: &Path) -> Result<Form, Fault> {
 
 /// What is beside a file, `NAME.part`, until it is complete: rows that are calculated so far.
 pub(super) struct Unfinished<'a> {
-    /// The file.
     pub(super) target: &'a Path,
     /// What is beside it: a file, or a folder.
     pub(super) path: PathBuf,

@@ -32,7 +32,6 @@ pub(super) fn choose(state: &mut State, view: View, by: isize) {
     *chosen = round(*chosen, by, count);
 }
 
-/// What is chosen in the list of a view.
 pub(super) fn chosen(state: &mut State, view: View) -> &mut usize {
     let chosen = &mut state.chosen;
     match view {
@@ -64,7 +63,6 @@ pub(super) fn quantity(state: &mut State, by: isize) {
     }
 }
 
-/// A faster (1) or slower (-1) motion.
 pub(super) fn pace(state: &mut State, by: isize) {
     state.pace = state.pace.saturating_add_signed(by).min(PACES.len() - 1);
     let pace = f64::from(PACES[state.pace]) / f64::from(FRAMES);
@@ -85,7 +83,6 @@ pub(super) fn join(state: &mut State) {
     }
 }
 
-/// The next or previous row of the table in its present order.
 pub(super) fn row(state: &mut State, by: isize) {
     let order = state.order();
     let row = order.iter().position(|position| *position == state.position).unwrap_or(0);
@@ -111,7 +108,6 @@ pub(super) fn nearest(state: &mut State) {
     }
 }
 
-/// Goes to the position of the chosen check's largest residual.
 pub(super) fn worst(state: &mut State) {
     match state.found().and_then(|found| found.analysis.checks.get(state.chosen.check)?.at) {
         Some(at) => state.go_to(at),
@@ -119,7 +115,6 @@ pub(super) fn worst(state: &mut State) {
     }
 }
 
-/// The next part of the view in which there is something to show.
 pub(super) fn part(state: &mut State) {
     let (view, parts) = (state.view, state.available_parts(state.view));
     let next = following(&parts, state.part(view));
@@ -147,7 +142,6 @@ fn next_analyzer(state: &State) -> Option<String> {
     next.filter(|next| asked != Some(**next)).map(|name| (*name).to_owned())
 }
 
-/// Calculates again with the next force analyzer.
 pub(super) fn analyzer(state: &mut State) {
     let Some(next) = next_analyzer(state) else { return state.say(Role::Plain, text!("say-one-analyzer")) };
     state.options.analyzer = Some(next);
@@ -157,7 +151,6 @@ pub(super) fn analyzer(state: &mut State) {
     jobs::ask(state, Purpose::Main);
 }
 
-/// Shows the difference to the next force analyzer, or stops that.
 pub(super) fn difference(state: &mut State) {
     if state.scene.as_mut().is_some_and(|scene| scene.other.take().is_some()) {
         return;
@@ -181,7 +174,6 @@ pub(super) fn pixels(state: &mut State) {
     }
 }
 
-/// Larger or smaller, within limits.
 pub(super) fn zoom(state: &mut State, by: f64) {
     state.zoom.factor = (state.zoom.factor * by).clamp(0.25, 64.0);
 }
@@ -244,7 +236,6 @@ pub(super) fn beside(state: &mut State) {
     state.held = if state.held.is_some() { None } else { Some(state.position) };
 }
 
-/// The next or previous polygon, vector, or step of the construction.
 pub(super) fn plan_step(state: &mut State, by: isize) {
     let Some(plans) = state.found().map(|found| found.plans.at(state.position)) else { return };
     let count = |count: fn(&assur_diagram::PlanSheet) -> usize| plans.sheet.as_ref().map_or(0, count);

@@ -9,7 +9,6 @@ use crate::screen::state::{
     CalculationRequest, Cancel, Effect, Job, Purpose, Role, Running, Scene, State, Wanted,
 };
 
-/// Requests that a scene is read.
 pub(super) fn read(state: &mut State, wanted: Wanted) {
     state.effects.push(Effect::Work(Job::Read(wanted)));
 }
@@ -73,7 +72,6 @@ pub(super) fn exchange(state: &mut State, scene: Scene) -> Option<Scene> {
     before
 }
 
-/// Stops the measurement in progress; finished measurements are shown.
 pub(super) fn stop_measuring(state: &mut State) {
     if let Some(running) = state.measuring() {
         running.cancel.stop();

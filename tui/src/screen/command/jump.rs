@@ -1,13 +1,12 @@
 //! To the place of a result, to the extremes of a quantity, between the positions too, and back.
 
-use assur_analysis::results::{Column, Owner, Quantity, Table, Turn};
-use assur_kinematics::continuous_angle;
+use assur_analysis::results::{Column, Owner, Quantity, Turn};
 use assur_report::topic::About;
 use assur_words::{Text, number, quantity, text};
 
 use super::whatif;
 use crate::number::{digits, number as plain};
-use crate::screen::state::{Role, Scene, Series, State, View, coordinate_unit, round};
+use crate::screen::state::{Role, State, View, coordinate_unit, round};
 
 /// Goes to where a result that is asked for first occurs, in its view.
 pub(super) fn result(state: &mut State) {
@@ -62,7 +61,6 @@ fn to_quantity(state: &mut State, column: Column) {
     }
 }
 
-/// Back to the place that was left last.
 pub(super) fn go_back(state: &mut State) {
     let Some(stop) = state.trail.pop() else { return state.say(Role::Plain, text!("say-nowhere-back")) };
     if state.scene.as_ref().is_some_and(|scene| scene.session.source == stop.source) {
@@ -112,7 +110,7 @@ fn to_extreme(state: &mut State, told: &'static str, turn: Option<Turn>) {
         return state.say(Role::Plain, text!("say-no-extreme"));
     };
     let near = state.nearest(turn.at);
-    let found = refined(scene, series, turn);
+    let found = scene.found.as_ref().map_or(turn, |found| found.extreme(series, turn));
     let (input, unit) = (&scene.linkage.mechanism.input, &series.unit);
     let [first, next] = [0, 1].map(|index| input.coordinate(index));
     let part = (found.at - first) / (next - first);
@@ -144,20 +142,4 @@ fn to_extreme(state: &mut State, told: &'static str, turn: Option<Turn>) {
     state.extreme = Some((series.column, near, turn.at));
     state.go_to(near);
     state.say(Role::Plain, text);
-}
-
-/// An extreme of a curve as the calculation finds it between the places that are drawn; infinite where it grows without limit.
-fn refined(scene: &Scene, series: &Series, turn: Turn) -> Turn {
-    let Some(found) = &scene.found else { return turn };
-    let column = series.column;
-    let is_angle = column.quantity == Quantity::Transfer(0) && matches!(column.owner, Owner::Link(_));
-    let value = |table: &Table, row: usize| {
-        let value = table.get(row, column)?;
-        Some(if is_angle { continuous_angle(value, turn.value) } else { value })
-    };
-    let ends: Vec<_> =
-        series.course.ends().into_iter().filter(|[known, _]| known.to_bits() == turn.at.to_bits()).collect();
-    let calculation = found.plans.calculation();
-    let unlimited = calculation.unlimited(&ends, value);
-    unlimited.first().or(calculation.refined(&[turn], value).first()).copied().unwrap_or(turn)
 }

@@ -1,10 +1,13 @@
 //! The commands of the `:` line and of the `/` line.
 
 use assur_fixtures::SCENES;
+use assur_picture::find;
 use assur_words::{self as words, Text, text};
 
-use super::{find, jobs, motors, picker, report, whatif, write};
-use crate::screen::state::{Group, Panels, Pictures, Role, SETTINGS, Scene, Source, State, View, Wanted};
+use super::{act, jobs, motors, picker, report, whatif, write};
+use crate::screen::state::{
+    Group, Panels, Pictures, Role, SETTINGS, Scene, Source, State, View, ViewPart, Wanted,
+};
 use crate::screen::view::help::where_it_works;
 
 /// Names that differ in more letters than this from the typed text are not suggested.
@@ -64,7 +67,6 @@ fn files(typed: &str) -> Vec<String> {
     paths
 }
 
-/// Complete lines that the typed text may become.
 pub(super) fn completions(state: &State, typed: &str) -> Vec<String> {
     let mut all: Vec<String> = state.commands.iter().map(|command| command.name.to_owned()).collect();
     for (word, values) in takers(state) {
@@ -124,7 +126,6 @@ pub(super) fn run(state: &mut State, line: &str) {
     }
 }
 
-/// Reads a second scene, a file or a shipped one, or ends the comparison.
 fn compare(state: &mut State, file: &str) {
     match file {
         "" => state.say(Role::Bad, text!("say-compare")),
@@ -175,7 +176,6 @@ fn view(state: &mut State, name: &str) {
     }
 }
 
-/// Chooses the views that are shown beside each other.
 fn panels(state: &mut State, names: &str) {
     let known = |name: &str| name.parse().ok().filter(|view| View::TABS.contains(view));
     match names.split_whitespace().map(|name| known(name).ok_or(name)).collect() {
@@ -184,7 +184,6 @@ fn panels(state: &mut State, names: &str) {
     }
 }
 
-/// Chooses a quantity of a point, a link or a slide.
 fn quantity(state: &mut State, kind: &str, name: &str) {
     let Some(scene) = &state.scene else { return };
     let found = scene.transfers.iter().position(|transfer| {
@@ -214,7 +213,6 @@ fn set(state: &mut State, rest: &str) {
     }
 }
 
-/// Searches the last text again, from the present place on.
 pub(super) fn search_again(state: &mut State) {
     let text = std::mem::take(&mut state.searched);
     if text.is_empty() {
@@ -226,7 +224,7 @@ pub(super) fn search_again(state: &mut State) {
 
 /// A number is a position; a word is searched for in what the view lists, else in the columns and quantities, from the present one
 /// on.
-pub(crate) fn search(state: &mut State, text: &str) {
+pub(super) fn search(state: &mut State, text: &str) {
     if text.is_empty() {
         return;
     }
@@ -236,22 +234,54 @@ pub(crate) fn search(state: &mut State, text: &str) {
     }
     let wanted = text.to_lowercase();
     let found = match if state.values_open() { View::Values } else { state.view } {
-        View::Forces => find::reaction(state, &wanted),
-        View::Plans => find::plan(state, &wanted),
+        View::Forces => reaction(state, &wanted),
+        View::Plans => plan(state, &wanted),
         View::Working | View::Accuracy => report::find(state, &wanted),
-        view @ (View::Values | View::Results | View::Checks | View::Structure) => {
-            find::row(state, view, text)
-        }
+        view @ (View::Values | View::Results | View::Checks | View::Structure) => row(state, view, text),
         _ => quantity_of(state, &wanted),
     };
-    if !found {
+    if found.is_none() {
         state.say(Role::Bad, text!("say-not-found", text = words::name(text.to_owned())));
     }
 }
 
-/// Chooses the next column and quantity of a name; false if there is none.
-fn quantity_of(state: &mut State, wanted: &str) -> bool {
-    let Some((column, scene)) = find::column(state, wanted).zip(state.scene.as_ref()) else { return false };
+/// Chooses the next reaction of a pair or a link of this name; `None` if there is none.
+fn reaction(state: &mut State, wanted: &str) -> Option<()> {
+    state.chosen.reaction = find::reaction(state.found()?, state.chosen.reaction, wanted)?;
+    Some(())
+}
+
+/// Chooses the construction of a force analyzer, at its last step, or the force polygon of a group.
+fn plan(state: &mut State, wanted: &str) -> Option<()> {
+    let plans = state.found()?.plans.at(state.position);
+    let told = |text: &Text| state.told(text);
+    match state.part(View::Plans) {
+        ViewPart::Construction => state.chosen.step = find::step(&plans, wanted, told)?,
+        ViewPart::Forces => state.chosen.polygon = find::polygon(&plans, wanted, told)?,
+        _ => return None,
+    }
+    Some(())
+}
+
+/// Chooses the next row of the list of a view in which a text occurs.
+fn row(state: &mut State, view: View, wanted: &str) -> Option<()> {
+    let scene = state.scene.as_ref()?;
+    let rows: Vec<Text> = match (view, &scene.found) {
+        (View::Values, _) => state.what_if.values.iter().map(|value| (&value.key).into()).collect(),
+        (View::Results, Some(found)) => found.results.iter().map(|(_, fact)| fact.what()).collect(),
+        (View::Checks, Some(found)) => found.analysis.checks.iter().map(|check| check.name.clone()).collect(),
+        (_, Some(_)) => scene.group_names(),
+        _ => return None,
+    };
+    let rows: Vec<String> = rows.into_iter().map(|row| state.told(row)).collect();
+    let chosen = act::chosen(state, view);
+    *chosen = find::row(&rows, *chosen, wanted)?;
+    Some(())
+}
+
+fn quantity_of(state: &mut State, wanted: &str) -> Option<()> {
+    let scene = state.scene.as_ref()?;
+    let column = find::column(scene, state.chosen.column, wanted, |text| state.told(text))?;
     let transfer = scene.transfers.iter().position(|transfer| transfer.orders.contains(&column));
     let short = scene.column(column).map(|series| series.short.clone());
     state.chosen.column = column;
@@ -259,5 +289,5 @@ fn quantity_of(state: &mut State, wanted: &str) -> bool {
     if state.view == View::Curves {
         state.picked = if transfer.is_some() { Vec::new() } else { short.into_iter().collect() };
     }
-    true
+    Some(())
 }

@@ -1,7 +1,6 @@
 //! Commands: their table, their effects on the state, and the keys and lines that run them.
 
 mod act;
-mod find;
 mod jobs;
 mod jump;
 mod line;
@@ -14,8 +13,6 @@ mod report;
 mod table;
 mod whatif;
 mod write;
-pub(crate) use find::pick_all;
-pub(crate) use line::search;
 pub(crate) use outcome::take;
 pub(crate) use table::COMMANDS;
 
@@ -24,7 +21,7 @@ use crossterm::event::{KeyCode, KeyEvent, MouseButton, MouseEvent, MouseEventKin
 
 #[cfg(test)]
 pub(crate) use whatif::toggle;
-pub(crate) use write::{PAGE, grant, picture};
+pub(crate) use write::grant;
 
 use super::state::{
     Command, Entry, Group, Key, LONGEST, PromptKind, Purpose, Role, State, Stop, View, round,
@@ -125,7 +122,6 @@ pub(crate) fn paste(state: &mut State, text: &str) {
     }
 }
 
-/// A key while the help is open: letters search, arrows scroll.
 fn press_in_help(state: &mut State, key: Key) {
     let page = view::help::page(state);
     let Some(help) = &mut state.help else { return };
@@ -197,7 +193,6 @@ fn press_in_line(state: &mut State, key: Key) {
     }
 }
 
-/// Inserts the next or previous completion of the typed text.
 fn complete(state: &mut State, by: isize) {
     let Some(prompt) = state.prompt.as_ref().filter(|prompt| prompt.kind == PromptKind::Command) else {
         return;

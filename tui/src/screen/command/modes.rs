@@ -63,7 +63,6 @@ pub(super) fn keep(state: &mut State, coordinate: f64, before: &[Option<Arc<Mode
     }
 }
 
-/// The modes of each group in the first position.
 pub(super) fn all(scene: &Scene) -> Vec<Option<Arc<Modes>>> {
     (0..scene.linkage.structure.groups.len()).map(|group| scene.modes(group, 0)).collect()
 }

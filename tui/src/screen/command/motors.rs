@@ -9,7 +9,6 @@ use super::whatif;
 use crate::number::digits;
 use crate::screen::state::{Choice, Picker, PickerKind, Role, State};
 
-/// Opens the list of the motors that fit the drive.
 pub(super) fn list(state: &mut State) {
     match suitable(state) {
         Ok((heading, rows)) => {
@@ -95,7 +94,6 @@ fn row(state: &State, candidate: &Candidate<'_>, load: Option<f64>) -> Choice {
     Choice { name: motor.designation.clone(), text }
 }
 
-/// Takes a motor into the scene as a change that can be undone.
 pub(super) fn take(state: &mut State, designation: &str) {
     let (motor, key) = (name(designation.to_owned()), Key::of("drive").at("motor"));
     let known = state.what_if.values.iter().position(|value| value.key == key);

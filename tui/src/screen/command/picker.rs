@@ -9,7 +9,6 @@ use crate::screen::state::{
     Choice, Key, Picker, PickerKind, PromptKind, Series, Source, State, View, Wanted,
 };
 
-/// Rows by which a page key moves.
 const PAGE: isize = 10;
 
 pub(crate) fn scenes(state: &mut State) {
@@ -63,7 +62,6 @@ pub(super) fn press(state: &mut State, key: Key) {
     }
 }
 
-/// Takes what is chosen, and closes the list.
 fn take(state: &mut State) {
     let Some(picker) = &state.picker else { return };
     let (kind, taken) = (picker.kind, picker.taken());
@@ -88,7 +86,6 @@ fn take(state: &mut State) {
     state.picker = None;
 }
 
-/// Requests the picture of the scene that is chosen in the list.
 pub(super) fn preview(state: &mut State) {
     let picker = state.picker.as_ref().filter(|picker| picker.kind == PickerKind::Scenes);
     let Some(chosen) = picker.and_then(Picker::choice) else { return };

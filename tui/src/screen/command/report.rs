@@ -1,10 +1,11 @@
 //! Commands of the views that show a long text: the report on the methods, and the working of the position.
 
-use super::{act, find, jobs};
+use assur_picture::find;
+
+use super::{act, jobs};
 use crate::screen::state::{Purpose, State, View, ViewPart};
 use crate::screen::view::{report as view, room};
 
-/// Starts a measurement, or stops the one in progress.
 pub(super) fn measure(state: &mut State) {
     if state.measuring().is_some() {
         jobs::stop_measuring(state);
@@ -13,7 +14,6 @@ pub(super) fn measure(state: &mut State) {
     }
 }
 
-/// Scrolls the text by this many lines, within its limits.
 pub(super) fn scroll(state: &mut State, by: isize) {
     let last = view::last_line(state);
     let line = state.line();
@@ -29,23 +29,19 @@ pub(super) fn motion(state: &mut State, by: isize) {
     }
 }
 
-/// Scrolls the text by a page, less one line.
 pub(super) fn page(state: &mut State, sense: isize) {
     let page = isize::from(i16::try_from(view::page(state)).unwrap_or(i16::MAX));
     scroll(state, sense * (page - 1).max(1));
 }
 
-/// Scrolls to the next line that begins with a text, as a heading does, or if none does, that contains it; false if there is none.
-pub(super) fn find(state: &mut State, wanted: &str) -> bool {
+/// Scrolls to the next line that begins with a text, as a heading does, or if none does, that contains it; `None` if there is none.
+pub(super) fn find(state: &mut State, wanted: &str) -> Option<()> {
     let lines = view::lines(state, state.view, room(state).width);
     let now = *state.line();
     let line = |index: usize| lines[index].to_lowercase();
     let begins = |index: usize| line(index).trim_start_matches(['=', ' ']).starts_with(wanted);
     let is_heading = (0..lines.len()).any(begins);
     let fits = |index| if is_heading { begins(index) } else { line(index).contains(wanted) };
-    let found = find::next(now, lines.len(), fits);
-    if let Some(found) = found {
-        *state.line() = found;
-    }
-    found.is_some()
+    *state.line() = find::next(now, lines.len(), fits)?;
+    Some(())
 }

@@ -11,7 +11,6 @@ use crate::screen::state::{
     Assembled, Change, Effect, OutputFile, PromptKind, Reading, Role, STEPS, Scene, Source, State, Wanted,
 };
 
-/// Shows the list of values, or closes it.
 pub(crate) fn toggle(state: &mut State) {
     (state.what_if.open, state.probe) = (!state.values_open(), None);
 }
@@ -20,7 +19,6 @@ pub(super) fn step(state: &mut State) {
     state.what_if.step = (state.what_if.step + 1) % STEPS.len();
 }
 
-/// Changes the chosen value by a step up (1) or down (-1).
 pub(super) fn shift(state: &mut State, sense: f64) {
     let what = &mut state.what_if;
     let Some(value) = what.values.get(what.chosen) else { return };
@@ -32,7 +30,6 @@ pub(super) fn shift(state: &mut State, sense: f64) {
     }
 }
 
-/// Changes a value, and reads the changed scene.
 pub(super) fn put(state: &mut State, index: usize, toml: String) {
     if state.what_if.put([(index, toml)]) {
         ask(state);
@@ -105,7 +102,6 @@ pub(super) fn reloaded(state: &mut State, scene: &Scene, again: bool) {
     }
 }
 
-/// Opens the `:` line for the exact value.
 pub(super) fn exact(state: &mut State) {
     if let Some(value) = state.what_if.values.get(state.what_if.chosen) {
         let line = format!("value {} ", value.key);
@@ -133,7 +129,6 @@ pub(super) fn set(state: &mut State, rest: &str) -> bool {
     true
 }
 
-/// Opens the `:` line with a name for the changed scene.
 pub(super) fn save(state: &mut State) {
     let Some(Scene { session, .. }) = &state.scene else { return };
     let source = &session.source;
@@ -155,7 +150,6 @@ pub(super) fn save_line(state: &mut State, file: &str) {
     state.effects.push(Effect::Write(file));
 }
 
-/// Quits, but first warns of unsaved changes.
 pub(super) fn quit(state: &mut State) {
     if may_drop(state) {
         state.effects.push(Effect::Quit);
@@ -165,7 +159,6 @@ pub(super) fn quit(state: &mut State) {
     }
 }
 
-/// Opens a scene, but first warns of unsaved changes of the open one.
 pub(super) fn open(state: &mut State, source: Source) {
     if may_drop(state) {
         jobs::read(state, Wanted::Open(source));

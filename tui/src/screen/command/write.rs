@@ -1,23 +1,19 @@
 //! Writing what is shown to files: the picture, and the numbers behind it.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Arc;
 
 use assur_analysis::results::Check;
-use assur_figure::{Figure, Frame, Item, svg};
-use assur_png as png;
+use assur_figure::{Figure, Frame, Item};
 use assur_report::csv::{self, CsvCell};
-use assur_words::{Describe, Language, Text, name, text};
+use assur_words::{Describe, Text, name, text};
 use crossterm::event::KeyCode;
 
 use crate::files;
 use crate::screen::state::{Effect, Job, Key, OutputFile, Role, Scene, State, View, ViewPart};
 use crate::screen::view;
+use crate::still::{PAGE, picture};
 
-/// Width and height of a page, mm: what A4 leaves between its margins, in a good ratio.
-pub(crate) const PAGE: [f64; 2] = [160.0, 120.0];
-
-/// Columns of a text that is written.
 const TEXT: u16 = 100;
 
 /// Writes the picture of the view with its numbers, or the numbers alone, to a name that says what they are.
@@ -59,7 +55,6 @@ fn subject(state: &State, scene: &Scene) -> Vec<String> {
     names
 }
 
-/// Writes the view to a file, in the form that its ending names.
 pub(super) fn write_to(state: &mut State, path: PathBuf) {
     let Some(scene) = &state.scene else {
         return state.say(Role::Plain, text!("say-nothing-to-write"));
@@ -90,31 +85,13 @@ pub(super) fn write_to(state: &mut State, path: PathBuf) {
 
 /// Writes the explanatory note of the scene that is shown to a name of its own.
 pub(super) fn note(state: &mut State) {
-    let (Some(scene), Some(write)) = (&state.scene, state.note) else {
+    let Some(scene) = &state.scene else {
         return state.say(Role::Plain, text!("say-no-scene-for-note"));
     };
     let path = PathBuf::from(format!("{}-note.html", scene.session.source.stem()));
     let (session, options) = (Arc::clone(&scene.session), state.options.clone());
-    state.effects.push(Effect::Work(Job::Note { write, session, options, path }));
+    state.effects.push(Effect::Work(Job::Note { session, options, path }));
     state.say(Role::Plain, text!("say-note-written"));
-}
-
-/// A figure in the form that the ending of a file names.
-///
-/// # Errors
-///
-/// Another ending than `svg` and `png`, or a page that can't be rendered.
-pub(crate) fn picture(
-    figure: &Figure,
-    path: &Path,
-    size: [f64; 2],
-    language: &Language,
-) -> Result<Vec<u8>, Text> {
-    match path.extension().unwrap_or_default().to_string_lossy().to_lowercase().as_str() {
-        "svg" => Ok(svg::write(figure, size, language).into_bytes()),
-        "png" => png::write(figure, size, language).map_err(|error| error.describe()),
-        _ => Err(text!("say-picture-ending", file = name(path.display().to_string()))),
-    }
 }
 
 /// The numbers of the view: the quantities over the positions, or of another figure its points.
@@ -177,7 +154,6 @@ fn finite(value: f64) -> CsvCell<'static> {
     if value.is_finite() { CsvCell::Number(value) } else { CsvCell::Empty }
 }
 
-/// A text as the bytes of a file.
 fn bytes(written: Result<String, impl Describe>) -> Result<Vec<u8>, Text> {
     written.map(String::into_bytes).map_err(|error| error.describe())
 }

@@ -31,7 +31,6 @@ pub(crate) enum Effect {
     Keep,
 }
 
-/// A file to be written.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct OutputFile {
     /// Where; the numbers behind a picture have the same name with the ending `csv`.
@@ -39,21 +38,15 @@ pub(crate) struct OutputFile {
     pub(crate) content: Vec<u8>,
     /// The numbers behind a picture, as CSV beside it; `None`: the content is all.
     pub(crate) numbers: Option<Vec<u8>>,
-    /// Whether an old file of this name may be replaced.
     pub(crate) overwrite: bool,
     /// Whether it is the open scene with its changes.
     pub(crate) scene: bool,
 }
 
-/// Writes the explanatory note of a scene by force analyzer and integrator; an error is a text to show.
-pub(crate) type NoteWriter = fn(&Arc<Session>, Options) -> Result<String, Text>;
-
 #[derive(Debug)]
 pub(crate) enum Job {
     Read(Wanted),
-    /// Write the note of a scene to a file.
     Note {
-        write: NoteWriter,
         session: Arc<Session>,
         options: Options,
         path: PathBuf,
@@ -62,7 +55,6 @@ pub(crate) enum Job {
     Calculate(CalculationRequest),
 }
 
-/// The scene that is to be read, and for what.
 #[derive(Debug, Clone)]
 pub(crate) enum Wanted {
     /// To be opened, perhaps again.
@@ -75,7 +67,6 @@ pub(crate) enum Wanted {
     Change(Change),
 }
 
-/// The purpose of a calculation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub(crate) enum Purpose {
     /// The results that are shown, with their checks.
@@ -98,15 +89,12 @@ pub(crate) struct CalculationRequest {
 
 #[derive(Debug, Clone)]
 pub(crate) struct Running {
-    /// Number of its request.
     pub(crate) number: usize,
     pub(crate) purpose: Purpose,
-    /// Its progress; empty at the start.
     pub(crate) count: Text,
     pub(crate) cancel: Cancel,
 }
 
-/// A flag that makes the worker stop.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Cancel(Arc<AtomicBool>);
 
@@ -125,13 +113,11 @@ impl Cancel {
 #[derive(Debug)]
 pub(crate) enum Report {
     Read(Wanted, Result<Box<Scene>, Text>),
-    /// The note, to be written to a file.
     Noted(PathBuf, Result<String, Text>),
     /// Of the calculation of the request of this number.
     Calculated(usize, Outcome),
 }
 
-/// What a calculation reports.
 #[derive(Debug)]
 pub(crate) enum Outcome {
     Count(Text),
@@ -140,7 +126,6 @@ pub(crate) enum Outcome {
     Measured(Result<Box<Measured>, Text>),
 }
 
-/// The findings of a measurement.
 #[derive(Debug, Clone)]
 pub(crate) struct Measured {
     /// Speed versus accuracy, or why there is none.

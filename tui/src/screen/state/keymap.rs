@@ -46,12 +46,10 @@ pub(crate) struct Command {
     pub(crate) keys: &'static str,
     /// Views in which the keys apply; empty: all with a scene and the menu.
     pub(crate) views: &'static [View],
-    /// Changes the state, draws nothing.
     pub(crate) run: fn(&mut State),
 }
 
 impl Command {
-    /// Whether its keys apply in a view.
     pub(crate) fn fits(&self, view: View) -> bool {
         self.views.is_empty() || self.views.contains(&view)
     }
@@ -70,12 +68,10 @@ impl Command {
     }
 }
 
-/// The keys of every command, by its name.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(crate) struct Keymap(BTreeMap<&'static str, Vec<Key>>);
 
 impl Keymap {
-    /// The default keys of a table of commands.
     pub(crate) fn of(commands: &[Command]) -> Self {
         Self(commands.iter().map(|command| (command.name, command.default_keys())).collect())
     }
@@ -99,7 +95,6 @@ impl Keymap {
         self.keys(command).first().map_or_else(|| format!(":{command}"), |key| key.name())
     }
 
-    /// Keys with two commands in one view.
     pub(crate) fn clashes<'a>(&self, commands: &'a [Command]) -> Vec<(Key, View, [&'a Command; 2])> {
         let mut clashes = Vec::new();
         for (index, one) in commands.iter().enumerate() {

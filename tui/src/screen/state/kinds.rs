@@ -1,6 +1,6 @@
 //! What can be shown and chosen.
 
-use assur_picture::ViewPart;
+use assur_picture::{Picture, ViewPart};
 use assur_words::{Language, Text, text};
 use strum::{EnumString, IntoStaticStr, VariantArray};
 
@@ -43,12 +43,10 @@ impl View {
     pub(crate) const WITHOUT_PAGES: [Self; 10] =
         [Results, Mechanism, Curves, Forces, Plans, Motion, Drive, Checks, Structure, Table];
 
-    /// The command that goes to it.
     pub(crate) fn command(self) -> &'static str {
         self.into()
     }
 
-    /// The name on its tab.
     pub(crate) fn name(self) -> Text {
         text!(match self {
             Mechanism => "view-mechanism",
@@ -68,30 +66,19 @@ impl View {
         })
     }
 
-    /// The name on its tab where there is little room.
     pub(crate) fn short_name(self, language: &Language) -> String {
         let short = language.own(&format!("view-{}.short", self.command()));
         short.unwrap_or_else(|| self.name().render(language))
     }
 
+    /// Its picture, of a view that has one of the results.
+    pub(crate) fn picture(self) -> Option<Picture> {
+        self.command().parse().ok()
+    }
+
     /// Its parts, the one that is shown first in front; none if it is one whole.
     pub(crate) fn parts(self) -> &'static [ViewPart] {
-        match self {
-            Forces => &[ViewPart::Overview, ViewPart::Causes, ViewPart::Curves, ViewPart::Hodograph],
-            Plans => {
-                &[ViewPart::Forces, ViewPart::Velocities, ViewPart::Accelerations, ViewPart::Construction]
-            }
-            Motion => &[ViewPart::Overview, ViewPart::Course, ViewPart::Iteration, ViewPart::Reduction],
-            Drive => &[
-                ViewPart::Overview,
-                ViewPart::Curves,
-                ViewPart::Places,
-                ViewPart::EnergyMass,
-                ViewPart::Inertia,
-                ViewPart::Reduction,
-            ],
-            _ => &[],
-        }
+        self.picture().map_or(&[], Picture::parts)
     }
 }
 
@@ -101,7 +88,6 @@ pub(crate) fn following<T: Copy + PartialEq>(all: &[T], now: T) -> T {
     all.get(index).copied().unwrap_or(now)
 }
 
-/// The kind after the given one; the first one after the last.
 pub(crate) fn next_kind<T: Copy + PartialEq + VariantArray>(now: T) -> T {
     following(T::VARIANTS, now)
 }
@@ -112,7 +98,6 @@ pub(crate) fn round(now: usize, by: isize, count: usize) -> usize {
     usize::try_from((isize::try_from(now).unwrap_or(0) + by).rem_euclid(count)).unwrap_or(0)
 }
 
-/// What is chosen in each view.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub(crate) struct Chosen {
     /// Index in the scene's transfer functions.
@@ -120,10 +105,8 @@ pub(crate) struct Chosen {
     pub(crate) group: usize,
     /// A mode of a group in the first position that is looked at: group and index.
     pub(crate) mode: Option<[usize; 2]>,
-    /// Index in the reactions found.
     pub(crate) reaction: usize,
     pub(crate) check: usize,
-    /// Row of the results that are asked for first.
     pub(crate) result: usize,
     /// Group whose force polygon is drawn; the last is the input link.
     pub(crate) polygon: usize,
@@ -131,12 +114,8 @@ pub(crate) struct Chosen {
     pub(crate) vector: usize,
     /// Last step of the construction that is drawn.
     pub(crate) step: usize,
-    /// First quantity of the motion view.
     pub(crate) motion: usize,
-    /// First line of the report on the methods.
     pub(crate) line: usize,
-    /// First line of the working.
     pub(crate) equation: usize,
-    /// Column of the table.
     pub(crate) column: usize,
 }

@@ -30,9 +30,7 @@ pub(crate) struct Look {
     pub(crate) ascii: bool,
     pub(crate) marker: Marker,
     pub(crate) theme: Theme,
-    /// Ratio of a cell's height to its width.
     pub(crate) ratio: f64,
-    /// Frames per second of the animation.
     pub(crate) fps: u8,
     pub(crate) mouse: bool,
     /// A language, or [`AUTO`].
@@ -41,7 +39,6 @@ pub(crate) struct Look {
     pub(crate) pixels: bool,
 }
 
-/// How a terminal takes pictures.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub(crate) enum Pictures {
     /// Nobody has asked it.
@@ -57,7 +54,6 @@ pub(crate) enum Pictures {
 
 /// The language that the scene wants for its note.
 pub(crate) const AUTO: &str = "auto";
-/// What may be asked for.
 const CHOICES: [&str; 4] = [AUTO, LANGUAGES[0], LANGUAGES[1], LANGUAGES[2]];
 
 impl Default for Look {
@@ -83,17 +79,14 @@ pub(crate) struct Setting {
     /// The identity of what it is.
     pub(crate) text: &'static str,
     pub(crate) kind: Kind,
-    /// Its value as a word.
     pub(crate) get: fn(&Look) -> String,
     /// Sets it by a word that its kind allows.
     set: fn(&mut Look, &str) -> Option<()>,
 }
 
-/// What a setting takes.
 #[derive(Debug)]
 pub(crate) enum Kind {
     Choice(&'static [&'static str]),
-    /// `on` or `off`.
     Flag,
     Count(RangeInclusive<usize>),
     Number(RangeInclusive<f64>),
@@ -136,7 +129,6 @@ fn on_off(on: bool) -> String {
     if on { "on" } else { "off" }.to_owned()
 }
 
-/// All settings, in the order of the configuration.
 #[rustfmt::skip]
 pub(crate) const SETTINGS: [Setting; 8] = [
     Setting { name: "theme", text: "config-theme", kind: Kind::Choice(<Theme as VariantNames>::VARIANTS),
@@ -175,7 +167,6 @@ impl Look {
 pub(crate) enum Theme {
     /// The 16 colors of the terminal, which follow its light or dark scheme.
     Default,
-    /// No color at all.
     Mono,
     /// Okabe and Ito's palette, distinguished by most color-blind readers.
     OkabeIto,
@@ -197,7 +188,6 @@ pub(crate) enum Role {
 }
 
 impl Theme {
-    /// The style of a role.
     pub(crate) fn style(self, role: Role) -> Style {
         let style = Style::new().add_modifier(modifier(role));
         match self {

@@ -27,8 +27,7 @@ pub(crate) use assur_picture::{
     Arrows, Compared, Found, Probe, Reaction, Series, Traces, ViewPart, coordinate_unit,
 };
 pub(crate) use job::{
-    CalculationRequest, Cancel, Effect, Job, Measured, NoteWriter, Outcome, OutputFile, Purpose, Report,
-    Running, Wanted,
+    CalculationRequest, Cancel, Effect, Job, Measured, Outcome, OutputFile, Purpose, Report, Running, Wanted,
 };
 pub(crate) use keymap::{Command, Group, Key, Keymap};
 pub(crate) use kinds::{Chosen, View, following, next_kind, round};
@@ -47,12 +46,10 @@ const EVERY: usize = 4;
 
 #[derive(Debug, Default)]
 pub(crate) struct State {
-    /// All commands, in the order of the help screen.
     pub(crate) commands: &'static [Command],
     pub(crate) keys: Keymap,
     pub(crate) scene: Option<Scene>,
     pub(crate) what_if: WhatIf,
-    /// Speed, accuracy and stability of the methods on the open scene.
     pub(crate) measured: Option<Box<Measured>>,
     pub(crate) picker: Option<Picker>,
     /// The shipped scenes that were read for their pictures, by name.
@@ -88,15 +85,12 @@ pub(crate) struct State {
     pub(crate) trail: Vec<Stop>,
     /// The place in another scene to which the user goes back as soon as that scene is read.
     pub(crate) going_back: Option<Stop>,
-    /// The last text that was searched.
     pub(crate) searched: String,
     /// The extreme that was shown last: its quantity, the position that is near, and its place on the curve.
     pub(crate) extreme: Option<(Column, usize, f64)>,
-    /// Requested force analyzer and integrator.
     pub(crate) options: Options,
     pub(crate) compared: Option<Compared>,
     pub(crate) running: Vec<Running>,
-    /// Number of the last requested calculation.
     pub(crate) asked: usize,
     /// Column by which the table is sorted, and whether ascending.
     pub(crate) sorted: Option<(usize, bool)>,
@@ -110,9 +104,6 @@ pub(crate) struct State {
     pub(crate) message: Option<(Role, Text)>,
     /// Errors of a file that could not be used, under a title, shown until the next key.
     pub(crate) fault: Option<(Text, Text)>,
-    /// Writes the note of a scene.
-    pub(crate) note: Option<NoteWriter>,
-    /// Columns and rows of the terminal.
     pub(crate) size: (u16, u16),
     pub(crate) effects: Vec<Effect>,
     pub(crate) leaving: bool,
@@ -135,7 +126,6 @@ impl State {
         }
     }
 
-    /// The results of the analysis of the open scene, if there are any.
     pub(crate) fn found(&self) -> Option<&Found> {
         self.scene.as_ref()?.found.as_deref()
     }
@@ -147,7 +137,6 @@ impl State {
         asked.filter(|_| !self.look.ascii).unwrap_or_else(Language::english)
     }
 
-    /// A text in the language of the screen.
     pub(crate) fn told(&self, text: impl Into<Text>) -> String {
         let told = text.into().render(self.language());
         if self.look.ascii { assur_report::latin(&told).into_owned() } else { told }
@@ -159,17 +148,14 @@ impl State {
         self.look.pixels && !covered && matches!(self.pictures, Pictures::Kitty | Pictures::Iterm)
     }
 
-    /// The measurement in progress.
     pub(crate) fn measuring(&self) -> Option<&Running> {
         self.running.iter().find(|running| running.purpose == Purpose::Measurement)
     }
 
-    /// The analysis in progress.
     pub(crate) fn analyzing(&self) -> Option<&Running> {
         self.running.iter().find(|running| running.purpose != Purpose::Measurement)
     }
 
-    /// Whether the list of the scene's numbers is shown.
     pub(crate) fn values_open(&self) -> bool {
         self.what_if.open && self.scene.is_some()
     }
@@ -184,7 +170,6 @@ impl State {
         self.commands.iter().find(|command| command.name == name)
     }
 
-    /// Whether a command is available now.
     pub(crate) fn takes(&self, command: &Command) -> bool {
         command.fits(self.view) || self.inset().is_some_and(|inset| command.fits(inset))
     }
@@ -207,13 +192,11 @@ impl State {
         self.scene.as_ref().map_or(1, |scene| scene.positions()).max(1)
     }
 
-    /// Moves by this many positions, cyclically.
     pub(crate) fn step(&mut self, by: isize) {
         self.position = round(self.position, by, self.positions());
         self.phase = 0;
     }
 
-    /// The next frame of the motion that plays.
     pub(crate) fn advance(&mut self) {
         // Between the last position and the first one there is a way only where they close a cycle.
         let closed = self.scene.as_ref().is_some_and(|scene| scene.is_cycle());
@@ -230,7 +213,6 @@ impl State {
         f64::from(self.phase) / f64::from(FRAMES)
     }
 
-    /// What of the results is shown.
     pub(crate) fn pictured(&self) -> assur_picture::Look<'_> {
         let Chosen { transfer, group, reaction, polygon, step, motion, .. } = self.chosen;
         assur_picture::Look {
@@ -287,24 +269,20 @@ impl State {
         of_group.map(|[_, index]| index)
     }
 
-    /// The first line that is shown of the text of the view.
     pub(crate) fn line(&mut self) -> &mut usize {
         if self.view == View::Working { &mut self.chosen.equation } else { &mut self.chosen.line }
     }
 
-    /// Opens the one-line input with a text that can be edited.
     pub(crate) fn open_prompt(&mut self, kind: PromptKind, text: impl AsRef<str>) {
         self.prompt = Some(Prompt { kind, text: text.as_ref().into(), completing: None });
     }
 
-    /// The text that is being typed now.
     pub(crate) fn entry(&self) -> Option<&Entry> {
         let line = self.prompt.as_ref().map(|prompt| &prompt.text);
         let help = self.help.as_ref().map(|help| &help.filter.text);
         line.or(help).or(self.picker.as_ref().map(|picker| &picker.filter.text))
     }
 
-    /// Shows a message until the next key.
     pub(crate) fn say(&mut self, role: Role, text: Text) {
         self.message = Some((role, text));
     }

@@ -39,7 +39,6 @@ impl Entry {
         true
     }
 
-    /// Adds as many letters as there is room for.
     pub(crate) fn push_str(&mut self, text: &str) {
         let room = LONGEST - self.text.len();
         let taken = text.floor_char_boundary(room);
@@ -80,7 +79,6 @@ impl fmt::Display for Entry {
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(crate) struct Filter {
     pub(crate) text: Entry,
-    /// Whether every letter belongs to the text.
     pub(crate) typing: bool,
 }
 
@@ -117,7 +115,6 @@ pub(crate) struct Choice {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Picker {
     pub(crate) kind: PickerKind,
-    /// What is said above the list.
     pub(crate) heading: Text,
     pub(crate) filter: Filter,
     /// Number of the chosen row among those that are left.
@@ -164,7 +161,6 @@ impl Picker {
         self.chosen = round(self.chosen, by, self.left().len());
     }
 
-    /// Marks the chosen row, or removes its mark.
     pub(crate) fn mark(&mut self) {
         let Some(name) = self.choice().map(|choice| choice.name.clone()) else { return };
         match self.marked.iter().position(|marked| *marked == name) {

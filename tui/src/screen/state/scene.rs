@@ -3,9 +3,8 @@
 use std::ops::{Deref, DerefMut};
 use std::sync::Arc;
 
-use assur_mechanism::MOST_PARTS_DRAWN;
 use assur_picture::{Found, Results};
-use assur_words::{Text, name, number, text};
+use assur_words::Text;
 
 use crate::session::Session;
 use crate::verdict::Verdict;
@@ -14,9 +13,7 @@ use crate::verdict::Verdict;
 pub(crate) struct Scene {
     pub(crate) session: Arc<Session>,
     pub(crate) results: Results,
-    /// What is to be reported of the analysis.
     pub(crate) verdict: Verdict,
-    /// Why there is no analysis.
     pub(crate) fault: Option<Text>,
 }
 
@@ -28,9 +25,7 @@ impl Scene {
     /// The errors as text, complete with file and line.
     pub(crate) fn of(session: impl Into<Arc<Session>>) -> Result<Self, Text> {
         let session = session.into();
-        refuse_large(&session)?;
-        let linkage = session.linkage().map_err(|error| session.fault(&error.into()))?;
-        let results = Results::of(linkage).map_err(|error| session.fault(&error))?;
+        let results = session.positions()?;
         Ok(Self { session, results, verdict: Verdict::default(), fault: None })
     }
 
@@ -54,20 +49,4 @@ impl DerefMut for Scene {
     fn deref_mut(&mut self) -> &mut Results {
         &mut self.results
     }
-}
-
-/// Refuses a scene that is too large to be drawn.
-fn refuse_large(session: &Session) -> Result<(), Text> {
-    let (mechanism, scene) = (&session.mechanism, || name(session.source.name()));
-    let (parts, positions) = (mechanism.parts(), mechanism.input.positions);
-    if parts > MOST_PARTS_DRAWN {
-        let most = number(MOST_PARTS_DRAWN);
-        return Err(text!("say-too-many-parts", parts = number(parts), most = most, scene = scene()));
-    }
-    let most = mechanism.most_kept();
-    if positions > most {
-        let [positions, most] = [positions, most].map(number);
-        return Err(text!("say-too-many-positions", positions = positions, most = most, scene = scene()));
-    }
-    Ok(())
 }

@@ -2,57 +2,29 @@
 
 use std::collections::BTreeMap;
 
-use assur_analysis::results::{Column, Owner, Quantity};
-
 use super::kinds::{Chosen, View};
 use super::{Source, State};
 use assur_picture::{Series, ViewPart};
 
 impl State {
-    /// Whether a view has something to show.
     pub(crate) fn has(&self, view: View) -> bool {
-        let found = self.found();
-        match view {
-            View::Forces => found.is_some_and(|found| !found.reactions.is_empty()),
-            View::Plans | View::Results => found.is_some(),
-            View::Motion => {
-                found.is_some_and(|found| !found.motion.is_empty() || !found.analysis.trajectory.is_empty())
-            }
-            View::Drive => found.is_some_and(|found| found.analysis.dynamics.is_some()),
-            View::Checks => found.is_some_and(|found| !found.analysis.checks.is_empty()),
-            _ => self.scene.is_some(),
+        let Some(scene) = &self.scene else { return false };
+        match (view, view.picture()) {
+            (View::Results, _) => scene.found.is_some(),
+            (View::Checks, _) => scene.found.as_ref().is_some_and(|found| !found.analysis.checks.is_empty()),
+            (_, picture) => picture.is_none_or(|picture| picture.is_in(scene)),
         }
+    }
+
+    pub(crate) fn available_parts(&self, view: View) -> Vec<ViewPart> {
+        let picture = view.picture().zip(self.scene.as_ref());
+        picture.map_or_else(Vec::new, |(picture, scene)| picture.parts_of(scene, &self.pictured()))
     }
 
     /// The part of a view that is shown: the chosen one if there is something to show in it.
     pub(crate) fn part(&self, view: View) -> ViewPart {
-        let parts = self.available_parts(view);
-        let chosen = self.parts.get(&view).filter(|part| parts.contains(part));
-        chosen.or(parts.first()).copied().unwrap_or(ViewPart::Overview)
-    }
-
-    /// The parts of a view in which there is something to show.
-    pub(crate) fn available_parts(&self, view: View) -> Vec<ViewPart> {
-        let found = self.found();
-        let reaction = found.and_then(|found| found.reactions.get(self.chosen.reaction));
-        let regime = found.is_some_and(|found| found.analysis.dynamics.is_some());
-        let has = |part: &ViewPart| match (view, part) {
-            // The balancing load has one number, no direction.
-            (View::Forces, ViewPart::Hodograph) => {
-                reaction.is_some_and(|reaction| reaction.series.len() == 3)
-            }
-            (View::Motion, ViewPart::Course) => {
-                regime || found.is_some_and(|found| !found.analysis.trajectory.is_empty())
-            }
-            (View::Motion, ViewPart::Iteration) => regime,
-            (View::Motion, ViewPart::Reduction) => found.is_some_and(|found| {
-                let moment = Column::of(Quantity::ReducedMoment, Owner::Input);
-                let turns = self.scene.as_ref().is_some_and(|scene| scene.linkage.angular());
-                turns && found.analysis.positions.schema().find(moment).is_some()
-            }),
-            _ => true,
-        };
-        view.parts().iter().copied().filter(has).collect()
+        let (picture, wanted) = (view.picture().zip(self.scene.as_ref()), self.parts.get(&view).copied());
+        picture.map_or(ViewPart::Overview, |(picture, scene)| picture.part(scene, &self.pictured(), wanted))
     }
 
     /// The quantity that the view is about: what the keys to the greatest and least value mean.
@@ -75,7 +47,6 @@ impl State {
         }
     }
 
-    /// The positions in the order of the table's rows.
     pub(crate) fn order(&self) -> Vec<usize> {
         let Some(scene) = &self.scene else { return Vec::new() };
         let mut order: Vec<usize> = (0..scene.positions()).collect();
@@ -90,7 +61,6 @@ impl State {
         order
     }
 
-    /// Remembers a place.
     pub(crate) fn leave(&mut self, stop: Stop) {
         if self.trail.len() == MOST {
             self.trail.remove(0);
@@ -99,7 +69,6 @@ impl State {
     }
 }
 
-/// Places that are remembered.
 const MOST: usize = 100;
 
 /// What was shown: scene, view, position, and what was chosen.
@@ -114,7 +83,6 @@ pub(crate) struct Stop {
 }
 
 impl Stop {
-    /// What is shown now; `None` without a scene.
     pub(crate) fn of(state: &State) -> Option<Self> {
         let source = state.scene.as_ref()?.session.source.clone();
         let State { view, position, chosen, picked, parts, .. } = state;

@@ -32,7 +32,6 @@ pub(crate) struct Change {
 
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub(crate) enum Reading {
-    /// They are shown.
     #[default]
     Done,
     Runs,
@@ -60,7 +59,6 @@ impl Assembled {
 /// The text of the open scene, its numbers, and their present values.
 #[derive(Debug, Default)]
 pub(crate) struct WhatIf {
-    /// Whether the list is to be shown.
     pub(crate) open: bool,
     pub(crate) chosen: usize,
     /// Index in [`STEPS`].
@@ -103,27 +101,22 @@ impl WhatIf {
         }
     }
 
-    /// Per cent by which the keys change a value.
     pub(crate) fn per_cent(&self) -> f64 {
         STEPS[self.step % STEPS.len()]
     }
 
-    /// Number of values that differ from the file.
     pub(crate) fn changes(&self) -> usize {
         self.wanted.len()
     }
 
-    /// Whether the requested changes make no valid scene.
     pub(crate) fn refused(&self) -> bool {
         self.reading == Reading::Refused
     }
 
-    /// Whether a value differs from the file.
     pub(crate) fn is_changed(&self, index: usize) -> bool {
         self.wanted.contains_key(&index)
     }
 
-    /// Present TOML of a value.
     pub(crate) fn now(&self, index: usize) -> &str {
         let own = self.values.get(index).map_or("", |value| value.written.as_str());
         self.wanted.get(&index).map_or(own, String::as_str)

@@ -4,13 +4,13 @@ use std::path::{Path, PathBuf};
 
 use assur_analysis::Options;
 use assur_note::Form;
+use assur_picture::{Picture, Results};
 use assur_testkit::guard::{self, Hash};
 use assur_words::Language;
+use strum::VariantNames;
 
-use super::View;
-use crate::screen::state::{Chosen, Source, State};
-use crate::screen::still::{self, PictureArgs, views};
-use crate::session::Session;
+use crate::session::{Session, Source};
+use crate::still::{self, PictureArgs};
 
 /// Scenes with so many positions or links that their notes take seconds.
 const WITHOUT_NOTE: &[&str] = &["n-four-bar-40", "disc-case-4", "disc-case-5"];
@@ -22,12 +22,9 @@ const POSITION: usize = 5;
 fn pictures((scene, has_note): &(PathBuf, bool)) -> Vec<(String, String)> {
     let session = Session::open(Source::File(scene.clone())).unwrap();
     let own = session.note.clone();
-    let mut state = still::analyzed(&session.into(), Options::default(), true, Language::english()).unwrap();
-    // As the command writes it: before the screen shows other parts of the views.
-    let written = has_note
-        .then(|| assur_note::write(state.scene.as_ref().unwrap(), &own, Form::Markdown, "").ok())
-        .flatten();
-    let mut found: Vec<_> = views().into_iter().flat_map(|view| of_view(&mut state, view)).collect();
+    let results = session.analyzed(&Options::default(), true).unwrap();
+    let written = has_note.then(|| assur_note::write(&results, &own, Form::Markdown, "").ok()).flatten();
+    let mut found: Vec<_> = Picture::VARIANTS.iter().flat_map(|view| of_view(&results, view)).collect();
     found.extend(written.map(|written| {
         let figures = written.figures.iter().map(|(name, figure)| [name.as_str(), figure]);
         let all = figures.flatten().chain([written.text.as_str()]);
@@ -37,22 +34,22 @@ fn pictures((scene, has_note): &(PathBuf, bool)) -> Vec<(String, String)> {
 }
 
 /// The picture of each part of a view, of those that there are.
-fn of_view(state: &mut State, view: &str) -> Vec<(String, String)> {
-    let parts = view.parse::<View>().unwrap_or_default().parts();
+fn of_view(results: &Results, view: &str) -> Vec<(String, String)> {
+    let picture: Picture = view.parse().unwrap();
+    let parts = picture.parts();
     let parts: Vec<Option<&str>> = parts.iter().map(|part| Some(part.into())).collect();
     let parts = if parts.is_empty() { vec![None] } else { parts };
     let picture = |part: Option<&str>| {
-        state.chosen = Chosen::default();
         let request = PictureArgs {
-            view: view.to_owned(),
+            view: picture,
             part: part.map(str::to_owned),
             show: None,
             step: None,
-            position: POSITION.min(state.positions() - 1),
+            position: POSITION.min(results.positions() - 1),
             size: None,
             animate: false,
         };
-        let drawn = still::draw(state, &request, Path::new("a.svg")).ok()?;
+        let drawn = still::draw(results, &request, Path::new("a.svg"), Language::english()).ok()?;
         Some((part.map_or(view.to_owned(), |part| format!("{view}-{part}")), Hash::of(&drawn)))
     };
     parts.into_iter().filter_map(picture).collect()

@@ -4,12 +4,13 @@ use std::path::Path;
 
 use assur_analysis::Options;
 use assur_figure::svg;
+use assur_picture::Picture;
+use strum::VariantNames;
 
-use crate::screen::command::PAGE;
-use crate::screen::state::{Source, State, View};
-use crate::screen::still::{self, views};
+use crate::screen::state::{Scene, State, View};
 use crate::screen::view;
-use crate::session::Session;
+use crate::session::{Session, Source};
+use crate::still::PAGE;
 
 /// Left, top, right, bottom, mm.
 type Spot = [f64; 4];
@@ -88,9 +89,9 @@ fn no_name_lies_on_another_one_or_on_a_support() {
     let (mut count, mut found) = (0, Vec::new());
     for scene in scenes {
         let session = Session::open(Source::File(scene.clone())).unwrap();
-        let english = assur_words::Language::english();
-        let mut state = still::analyzed(&session.into(), Options::default(), false, english).unwrap();
-        for view in views().into_iter().map(|view| view.parse::<View>().unwrap()) {
+        let results = session.analyzed(&Options::default(), false).unwrap();
+        let mut state = super::empty(Some(Scene { results, ..Scene::of(session).unwrap() }));
+        for view in Picture::VARIANTS.iter().map(|view| view.parse::<View>().unwrap()) {
             state.view = view;
             let parts = state.available_parts(view);
             let parts = if parts.is_empty() { vec![None] } else { parts.into_iter().map(Some).collect() };

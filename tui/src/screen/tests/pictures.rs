@@ -6,17 +6,20 @@ use assur_analysis::Options;
 use assur_analysis::results::{Column, Owner, Quantity};
 use assur_figure::{Item, Sample};
 use assur_mechanism::Surfaces;
+use assur_picture::{Picture, Results};
+use assur_words::Language;
+use strum::VariantNames;
 
 use super::{View, opened, press};
 use crate::screen::draw::cells;
-use crate::screen::state::{Source, State, Zoom};
-use crate::screen::still::{self, PictureArgs, StillError, views};
+use crate::screen::state::Zoom;
 use crate::screen::view;
-use crate::session::Session;
+use crate::session::{Session, Source};
+use crate::still::{self, PictureArgs, StillError};
 
 fn request(view: &str) -> PictureArgs {
     PictureArgs {
-        view: view.to_owned(),
+        view: view.parse().unwrap(),
         part: None,
         show: None,
         step: None,
@@ -26,20 +29,24 @@ fn request(view: &str) -> PictureArgs {
     }
 }
 
-fn analyzed(name: &str, request: &PictureArgs) -> State {
+fn analyzed(name: &str, request: &PictureArgs) -> Results {
     let session = Session::open(Source::File(assur_fixtures::path(&format!("{name}.toml")))).unwrap();
-    let language = assur_words::Language::english();
-    still::analyzed(&session.into(), Options::default(), request.shows_checks(), language).unwrap()
+    session.analyzed(&Options::default(), request.shows_checks()).unwrap()
+}
+
+fn draw(results: &Results, request: &PictureArgs) -> Result<Vec<u8>, StillError> {
+    still::draw(results, request, Path::new("x.svg"), Language::english())
 }
 
 fn picture(request: &PictureArgs, output: &str) -> Result<String, StillError> {
-    still::draw(&mut analyzed("shaper-drive", request), request, Path::new(output))
+    let results = analyzed("shaper-drive", request);
+    still::draw(&results, request, Path::new(output), Language::english())
         .map(|bytes| String::from_utf8(bytes).unwrap())
 }
 
 #[test]
 fn every_view_with_a_figure_has_a_picture() {
-    for view in views() {
+    for view in Picture::VARIANTS {
         let text = picture(&request(view), "x.svg").unwrap();
         assert!(text.contains("<polyline") && text.ends_with("</svg>\n"), "{view}");
     }
@@ -67,7 +74,7 @@ fn a_view_without_a_figure_says_what_the_scene_lacks() {
     for (name, view, why) in [("brake", "forces", "initial state"), ("four-bar", "drive", "no steady regime")]
     {
         let request = request(view);
-        match still::draw(&mut analyzed(name, &request), &request, Path::new("x.svg")) {
+        match draw(&analyzed(name, &request), &request) {
             Err(StillError::Nothing(text)) => assert!(text.to_string().contains(why), "{text}"),
             other => panic!("{other:?}"),
         }
@@ -81,8 +88,8 @@ fn only_a_scene_without_loads_is_told_to_have_none() {
     states.push(("some lost", super::scene(&super::random::lost("0 deg", "1.5"))));
     states.push(("the first lost", super::scene(&first_lost)));
     states.extend(["shaper-friction", "press", "brake", "andrews"].map(|name| (name, opened(name))));
-    for (name, state) in &mut states {
-        for (view, part) in views().iter().flat_map(|view| {
+    for (name, state) in &states {
+        for (view, part) in Picture::VARIANTS.iter().flat_map(|view| {
             let parts = view.parse::<View>().unwrap().parts();
             std::iter::once((view, None))
                 .chain(parts.iter().map(move |part| (view, Some(<&str>::from(part)))))
@@ -90,7 +97,7 @@ fn only_a_scene_without_loads_is_told_to_have_none() {
             for position in [0, state.positions() / 2] {
                 let part = part.map(str::to_owned);
                 let request = PictureArgs { part, position, ..request(view) };
-                if let Err(StillError::Nothing(why)) = still::draw(state, &request, Path::new("x.svg")) {
+                if let Err(StillError::Nothing(why)) = draw(state.scene.as_ref().unwrap(), &request) {
                     assert!(!why.to_string().contains("no loads"), "{name} {view} {request:?}: {why}");
                 }
             }
@@ -103,8 +110,8 @@ fn only_a_scene_without_loads_is_told_to_have_none() {
     assert!((0..36).all(|position| series.at(position).is_finite() == (2..=16).contains(&position)));
     // No equilibrium without a load.
     let text = "[ground]\npoints = { O = [0, 0] }\n[link.crank]\npoints = { O = 0, A = 1 }\n[input]\nlink = \"crank\"\n";
-    let mut state = super::scene(text);
-    match still::draw(&mut state, &PictureArgs { position: 0, ..request("forces") }, Path::new("x.svg")) {
+    let state = super::scene(text);
+    match draw(state.scene.as_ref().unwrap(), &PictureArgs { position: 0, ..request("forces") }) {
         Err(StillError::Nothing(why)) => assert!(why.to_string().contains("no loads"), "{why}"),
         other => panic!("{other:?}"),
     }
@@ -134,7 +141,7 @@ fn the_screen_and_the_file_show_the_same_signs_of_a_curve() {
 
 /// The texts of a picture of a scene.
 fn texts(scene: &str, request: &PictureArgs) -> Vec<String> {
-    let bytes = still::draw(&mut analyzed(scene, request), request, Path::new("x.svg")).unwrap();
+    let bytes = draw(&analyzed(scene, request), request).unwrap();
     let svg = String::from_utf8(bytes).unwrap();
     let texts = svg.split("<text").skip(1).filter_map(|rest| rest.split_once('>')?.1.split_once("</text>"));
     texts.map(|(text, _)| text.to_owned()).collect()
@@ -167,7 +174,7 @@ fn a_construction_is_drawn_step_by_step() {
     assert!(has(&whole, "Fb") && has(&whole, "RP") && whole[1].ends_with("step 27"), "{whole:?}");
     assert_eq!(drawn(Some(27)), whole);
     for (request, why) in [(of(Some(28)), "steps 1 to 27"), (of(Some(0)), "steps 1 to 27")] {
-        match still::draw(&mut analyzed("press", &request), &request, Path::new("x.svg")) {
+        match draw(&analyzed("press", &request), &request) {
             Err(StillError::Request(text)) => assert!(text.to_string().contains(why), "{text}"),
             other => panic!("{other:?}"),
         }
@@ -185,7 +192,7 @@ fn quantities_of_one_unit_lie_over_each_other_in_a_picture() {
         assert!(shown.iter().any(|text| text.starts_with(&format!("{name}: "))), "{name}: {shown:?}");
     }
     let unknown = PictureArgs { show: Some("A>crank.F,nothing".into()), ..request };
-    match still::draw(&mut analyzed("press", &unknown), &unknown, Path::new("x.svg")) {
+    match draw(&analyzed("press", &unknown), &unknown) {
         Err(StillError::Request(text)) => assert!(text.to_string().contains("nothing"), "{text}"),
         other => panic!("{other:?}"),
     }
@@ -214,8 +221,7 @@ fn a_legend_has_the_colors_of_the_drawing() {
 
 #[test]
 fn a_reaction_with_friction_is_drawn_at_the_distance_and_with_the_parts_that_were_found() {
-    let state = analyzed("shaper-friction", &request("forces"));
-    let scene = state.scene.as_ref().unwrap();
+    let scene = analyzed("shaper-friction", &request("forces"));
     let (found, mechanism) = (scene.found.as_ref().unwrap(), &scene.linkage.mechanism);
     let line = |item: &Item| match item {
         Item::Line { points, .. } => [points[0], *points.last().unwrap()],

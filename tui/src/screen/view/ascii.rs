@@ -3,6 +3,7 @@
 #[cfg(test)]
 mod tests;
 
+use assur_motor::latin_designation;
 use ratatui::buffer::Buffer;
 
 /// Replaces every character beyond ASCII by the nearest ASCII character.
@@ -16,7 +17,7 @@ pub(crate) fn replace(buffer: &mut Buffer) {
     }
 }
 
-pub(crate) fn nearest(c: char) -> char {
+fn nearest(c: char) -> char {
     match c {
         c if c.is_ascii() => c,
         '─' | '━' | '–' | '—' | '╌' | '−' => '-',
@@ -41,18 +42,7 @@ pub(crate) fn nearest(c: char) -> char {
         '“' | '”' => '"',
         '\u{2801}'..='\u{28ff}' => '*',
         '\u{2800}' => ' ',
-        other => cyrillic(other),
+        // Letters as in the designations of motors; anything else is a question mark.
+        other => latin_designation(&other.to_string()).chars().next().unwrap_or(' '),
     }
-}
-
-/// Cyrillic letters that look like Latin ones, as in the designations of motors; anything else is a question mark.
-fn cyrillic(c: char) -> char {
-    const TWINS: &str = "АAВBЕEКKМMНHОOРPСCТTУYХXаaеeоoрpсcуyхxіiІI";
-    let mut twins = TWINS.chars();
-    while let (Some(from), Some(to)) = (twins.next(), twins.next()) {
-        if from == c {
-            return to;
-        }
-    }
-    '?'
 }

@@ -92,7 +92,6 @@ fn warned(state: &State, dynamics: &Dynamics, area: Rect, buffer: &mut Buffer) -
     rest
 }
 
-/// The motor, its ratio, and the flywheel by each method.
 fn motor_and_flywheel(state: &State, found: &Found, dynamics: &Dynamics) -> Vec<Line> {
     let motor = dynamics.motor.as_ref().map(topic::motor_facts).unwrap_or_default();
     let mut lines = page::some_facts(state, LEFT - 2, motor, &MOTOR);
@@ -109,7 +108,6 @@ fn motor_and_flywheel(state: &State, found: &Found, dynamics: &Dynamics) -> Vec<
     lines
 }
 
-/// The page of the whole drive, as the report has it.
 pub(super) fn whole(state: &State, scene: &Scene, width: u16) -> Vec<Line> {
     let Some(found) = &scene.found else { return Vec::new() };
     let source = Source::of(&found.analysis, &scene.linkage, Some(&[]));

@@ -167,7 +167,6 @@ fn keys_of_hint(state: &State, command: &'static Command) -> String {
     }
 }
 
-/// The errors of a file that could not be used.
 pub(crate) fn draw_fault(state: &State, [title, fault]: [&Text; 2], area: Rect, buffer: &mut Buffer) {
     let (title, fault) = (state.told(title), state.told(fault));
     let width = usize::from(area.width.saturating_sub(2));

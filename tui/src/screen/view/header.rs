@@ -32,7 +32,6 @@ pub(super) fn draw(state: &State, area: Rect, buffer: &mut Buffer) {
     draw_tabs(state, area, buffer);
 }
 
-/// The title of the scene, and the name of the second one.
 fn title(state: &State, scene: &Scene) -> Text {
     let own = || name(scene.session.source.short_name());
     match state.compared.as_ref().filter(|compared| !compared.before) {

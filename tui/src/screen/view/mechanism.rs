@@ -18,7 +18,6 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
     panel::draw(state, scene, &figure, drawing, beside, buffer);
 }
 
-/// The drawing and the numbers beside it.
 fn parts(area: Rect) -> [Rect; 2] {
     Layout::horizontal([Constraint::Min(0), Constraint::Length(PANEL)]).areas(area)
 }

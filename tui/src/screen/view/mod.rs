@@ -22,14 +22,13 @@ mod table;
 pub(crate) mod values;
 
 use assur_figure::Figure;
-use assur_picture as picture;
 use assur_words::{number, text};
 use ratatui::Frame;
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 use ratatui::style::Style;
 
-pub(crate) use advice::text as advice;
+pub(crate) use advice::missing;
 
 use crate::screen::draw::{cut, paint, put};
 use crate::screen::state::{Role, State, View};
@@ -68,7 +67,6 @@ pub(crate) fn draw(state: &State, frame: &mut Frame<'_>) {
     }
 }
 
-/// Draws the views and what is open over them.
 fn draw_body(state: &State, body: Rect, buffer: &mut Buffer) {
     let [views, list] = shared(state, body);
     for (number, (view, area)) in tiles(state, views).into_iter().enumerate() {
@@ -117,27 +115,18 @@ pub(crate) fn areas(state: &State) -> Vec<(View, Rect)> {
     tiles(state, shared(state, body)[0])
 }
 
-/// Where the chosen view is drawn on the terminal.
 pub(crate) fn room(state: &State) -> Rect {
     areas(state)[0].1
 }
 
-/// The figure of a view; `None` where it has none.
 pub(crate) fn figure(state: &State, view: View) -> Option<Figure> {
     let scene = state.scene.as_ref().filter(|_| state.has(view))?;
-    let (look, part) = (&state.pictured(), state.part(view));
-    let figure = match view {
-        View::Mechanism => picture::mechanism::figure(scene, look, &[]),
-        View::Curves => picture::curves::figure(scene, look),
-        View::Forces => picture::forces::figure(scene, look, part),
-        View::Plans => picture::plans::figure(scene, look, part),
-        View::Motion => picture::motion::figure(scene, look, part, usize::MAX),
-        View::Drive => picture::drive::figure(scene, look, part, 1),
-        View::Structure => picture::mechanism::structure(scene, look),
-        View::Accuracy => assur_study::chart::figure(state.measured.as_ref()?.chart.as_ref().ok()?),
-        View::Checks | View::Table | View::Working | View::Values | View::Probe | View::Results => {
-            return None;
+    let figure = match view.picture() {
+        Some(picture) => picture.figure(scene, &state.pictured(), state.part(view)),
+        None if view == View::Accuracy => {
+            assur_study::chart::figure(state.measured.as_ref()?.chart.as_ref().ok()?)
         }
+        None => return None,
     };
     Some(figure).filter(|figure| !figure.panels.is_empty())
 }

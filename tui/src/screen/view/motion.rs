@@ -83,7 +83,6 @@ pub(super) fn numbers(state: &State, analysis: &Analysis, width: u16) -> Vec<Lin
     page::some_facts(state, width, topic::regime_facts(analysis), &shown)
 }
 
-/// The role of the heading.
 fn role(found: &Found) -> Role {
     match (&found.analysis.dynamics, &found.analysis.no_motion, &found.linkage.mechanism.motion) {
         (Some(_), ..) => Role::Header,

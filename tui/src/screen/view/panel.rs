@@ -61,7 +61,6 @@ fn legend(state: &State, scene: &Scene, figure: &Figure, drawing: Rect) -> Vec<(
     lines
 }
 
-/// Coordinate and speed of the input, and the balancing load.
 fn input(state: &State, scene: &Scene) -> Vec<Text> {
     let at = state.position;
     let mut lines = vec![text!("panel-coordinate", value = scene.series[0].show(at))];

@@ -11,7 +11,6 @@ use crate::number::{digits, number};
 use crate::screen::draw::{cut, put, short};
 use crate::screen::state::{Role, Scene, Series, State};
 
-/// Width of the first column.
 const FIRST: u16 = 6;
 /// Least width of another one: a number with an exponent.
 const COLUMN: u16 = 12;
@@ -131,7 +130,6 @@ fn status(state: &State, scene: &Scene, columns: &[(usize, u16)], area: Rect, bu
     put(buffer, area, 1, 0, &text, state.look.theme.style(Role::Dim));
 }
 
-/// The visible part of the rows.
 fn scroll_bar(area: Rect, skip: usize, shown: usize, count: usize, buffer: &mut Buffer) {
     if count <= shown || shown == 0 || area.width == 0 {
         return;

@@ -76,9 +76,7 @@ pub(crate) fn tail(key: &str, width: usize) -> String {
     format!("..{end}").chars().take(width).collect()
 }
 
-/// Columns of the name of a result.
 const NAME: usize = 13;
-/// Digits of a result.
 const DIGITS: usize = 4;
 
 /// One result: its name with its unit, and its value in a scene.

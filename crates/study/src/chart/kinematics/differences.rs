@@ -22,7 +22,6 @@ impl Stencil {
     ];
 }
 
-/// Differentiates the positions of a mechanism numerically.
 #[derive(Debug)]
 pub(crate) struct Differentiator<'a> {
     linkage: &'a Linkage,
@@ -45,7 +44,6 @@ impl<'a> Differentiator<'a> {
         }
     }
 
-    /// Points of the stencil.
     pub(crate) fn points(&self) -> usize {
         self.at.len()
     }

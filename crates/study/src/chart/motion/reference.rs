@@ -12,15 +12,11 @@ use crate::chart::{ChartError, Reference};
 /// Tolerances of a tight run, the first that succeeds.
 const TIGHT: [f64; 4] = [1e-14, 1e-13, 1e-12, 1e-11];
 
-/// Most steps of a tight run.
 const MOST_STEPS: usize = 30_000;
 
-/// The references of a motion.
 pub(in crate::chart) struct References {
-    /// With the name of the method.
     judges: Vec<(&'static str, Rc<Trajectory>)>,
     how: Text,
-    /// Their difference.
     error: f64,
     /// Greatest distance from the start and greatest speed.
     pub(super) sizes: [f64; 2],

@@ -15,7 +15,6 @@ use crate::chart::{Measurement, Reference, Setting, Stage};
 /// Samples over the cycle from which the extremes of the speed are read.
 const SAMPLES: usize = 4000;
 
-/// Tolerance of the cycle in time from which they are read.
 const TIGHT: f64 = 1e-13;
 
 /// All methods; `None` if no flywheel is to be found.

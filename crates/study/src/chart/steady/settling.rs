@@ -7,7 +7,6 @@ use super::{Cycle, MOST_CYCLES, NEVER_SETTLES};
 use crate::chart::motion::Task;
 use crate::chart::{ChartOptions, Reference};
 
-/// Tolerance of the steps of the reference.
 const TIGHT: f64 = 1e-14;
 
 /// The registered integrator that steps in time and suits an equation best at a tight tolerance.
@@ -22,7 +21,6 @@ pub(super) fn stepping(task: &Task<'_>) -> Option<&'static IntegratorPlugin> {
 
 /// Two independent results, each the reference of the other's methods.
 pub(super) struct Judges {
-    /// The method that steps in time.
     pub(super) method: Option<&'static IntegratorPlugin>,
     /// Speed at the start of the cycle by that method.
     pub(super) in_time: f64,

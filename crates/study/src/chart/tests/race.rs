@@ -5,19 +5,10 @@ use std::ops::ControlFlow;
 
 use assur_words::Text;
 
-use super::scenes::{Ticks, shipped};
+use super::scenes::{shipped, ticks};
 use crate::chart::race::{Entry, Field, Verdict};
 use crate::chart::race::{Judge, STOPPED, median};
-use crate::chart::{ChartOptions, Clock, Measurement, Progress, Reference, Setting, Stage, chart};
-
-/// A clock that contestants move.
-struct Moved<'a>(&'a RefCell<f64>);
-
-impl Clock for Moved<'_> {
-    fn seconds(&mut self) -> f64 {
-        *self.0.borrow()
-    }
-}
+use crate::chart::{ChartOptions, Measurement, Progress, Reference, Setting, Stage, chart};
 
 /// Takes the times of its list in turn, and notes each run.
 fn slow<'a>(name: char, times: Vec<f64>, now: &'a RefCell<f64>, log: &'a RefCell<String>) -> Entry<'a> {
@@ -41,7 +32,7 @@ fn methods_take_turns_and_the_median_counts() {
     let field = Field { reference: Reference { how: Text::default(), error: 1e-12 }, entries };
     let options = ChartOptions { stage_seconds: 7.2, rounds: 4, ..ChartOptions::THOROUGH };
     let mut go_on = |_: Progress| ControlFlow::Continue(());
-    let mut clock = Moved(&now);
+    let mut clock = || *now.borrow();
     let mut judge = Judge { clock: &mut clock, options, progress: &mut go_on, start: 0.0, stopped: false };
     let rows = judge.race(Stage::Motion, field);
     assert_eq!(*log.borrow(), "abababababab"[..10].to_owned());
@@ -57,7 +48,7 @@ fn an_error_below_the_reference_is_told_as_its_estimate() {
     let entry = slow('a', vec![0.1], &now, &log);
     let field = Field { reference: Reference { how: Text::default(), error: 1e-6 }, entries: vec![entry] };
     let mut go_on = |_: Progress| ControlFlow::Continue(());
-    let mut clock = Moved(&now);
+    let mut clock = || *now.borrow();
     let mut judge = Judge {
         clock: &mut clock,
         options: ChartOptions::QUICK,
@@ -77,7 +68,7 @@ fn what_was_measured_before_a_stop_is_kept() {
         calls += 1;
         if calls > 10 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     };
-    let data = chart(&shipped("shaper"), &mut Ticks(0.0), ChartOptions::THOROUGH, &mut stop_at_ten).unwrap();
+    let data = chart(&shipped("shaper"), &mut ticks(), ChartOptions::THOROUGH, &mut stop_at_ten).unwrap();
     assert!(!data.complete);
     let measured = data.rows.iter().filter(|row| row.ok && row.seconds.is_some()).count();
     assert_eq!(measured, 10);

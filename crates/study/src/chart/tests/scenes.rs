@@ -5,15 +5,14 @@ use std::ops::ControlFlow;
 use assur_all as _;
 use assur_kinematics::Linkage;
 
-use crate::chart::{ChartData, ChartOptions, Clock, Measurement, Stage, chart};
+use crate::chart::{ChartData, ChartOptions, Measurement, Stage, chart};
 
 /// A clock that goes a fixed step each time it is read: it never matters but for how often a run is repeated.
-pub(super) struct Ticks(pub(super) f64);
-
-impl Clock for Ticks {
-    fn seconds(&mut self) -> f64 {
-        self.0 += 1e-3;
-        self.0
+pub(super) fn ticks() -> impl FnMut() -> f64 {
+    let mut now = 0.0;
+    move || {
+        now += 1e-3;
+        now
     }
 }
 
@@ -30,7 +29,7 @@ pub(super) fn charted(name: &str) -> ChartData {
 /// The chart of a mechanism with every setting, each timed a little.
 pub(super) fn charted_of(linkage: &Linkage) -> ChartData {
     let options = ChartOptions { rounds: 1, stage_seconds: 0.0, max_steps: 20_000, ..ChartOptions::THOROUGH };
-    chart(linkage, &mut Ticks(0.0), options, &mut |_| ControlFlow::Continue(())).unwrap()
+    chart(linkage, &mut ticks(), options, &mut |_| ControlFlow::Continue(())).unwrap()
 }
 
 /// The rows of a method.

@@ -3,12 +3,16 @@
 use assur_mechanism::{LinkId, Mechanism};
 use assur_words::{Text, text};
 
-/// One length and how it is changed.
 pub(crate) enum Length {
     /// From one joint of a link to another one, which moves.
-    Joints { link: LinkId, from: usize, to: usize },
-    /// Offset of a slide across its guide.
-    Offset { slide: usize },
+    Joints {
+        link: LinkId,
+        from: usize,
+        to: usize,
+    },
+    Offset {
+        slide: usize,
+    },
 }
 
 /// All lengths of a mechanism that are not zero, and the offsets of its guides.
@@ -58,7 +62,6 @@ impl Length {
         }
     }
 
-    /// Whether it can't be less than zero.
     pub(super) fn ends_at_zero(&self) -> bool {
         matches!(self, Self::Joints { .. })
     }

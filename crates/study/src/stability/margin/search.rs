@@ -19,7 +19,6 @@ const FINEST: f64 = 1e-16;
 /// Steps of the search for the limit between a length that assembles and one that doesn't.
 const STEPS: usize = 32;
 
-/// The changes that are tried.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Reach {
     /// The characteristic size of the length, m.

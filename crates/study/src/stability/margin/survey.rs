@@ -16,7 +16,6 @@ pub(super) const STRIDE: usize = 4;
 /// rounding.
 const STEPS: usize = 48;
 
-/// The coordinates at which a mechanism is tried.
 pub(super) struct Survey<'a> {
     linkage: &'a Linkage,
     length: &'a Length,
@@ -25,14 +24,12 @@ pub(super) struct Survey<'a> {
     iterates: Vec<bool>,
     /// For each coordinate the bodies of the last mechanism that assembled; one entry for all if no kind iterates.
     starts: Vec<Vec<Body<f64>>>,
-    /// Squared determinants by coordinate and group.
     squares: Vec<Vec<f64>>,
     /// The coordinate that failed last: it is tried first.
     suspect: Option<(usize, f64)>,
 }
 
 impl<'a> Survey<'a> {
-    /// Starts with the unchanged mechanism.
     pub(super) fn of(linkage: &'a Linkage, length: &'a Length, grid: &'a Grid) -> Self {
         let links = iterated(&linkage.structure);
         let iterates: Vec<bool> = linkage
@@ -129,7 +126,6 @@ pub(super) fn may_touch(value: f64, neighbors: [f64; 2]) -> bool {
 /// meet, positions are known only to the root of their rounding.
 const BLURRED: f64 = 1e-12;
 
-/// A changed mechanism.
 pub(super) struct Trial {
     chain: Chain<f64>,
     ways: Ways,

@@ -6,7 +6,7 @@ use assur_report::topic::{regime_facts, summary};
 use assur_words::{LANGUAGES, Language};
 use serde_json::Value;
 
-use super::{Form, of, state};
+use super::{Form, of, results};
 
 /// Scenes with a prescribed motion, a regime with a motor, a regime without, and a motion over time, in each language.
 const SCENES: [&str; 6] = ["shaper", "shaper-drive", "press", "slider-crank", "conveyor", "run-up"];
@@ -31,8 +31,8 @@ fn assert_is_a_page(scene: &str, text: &str) {
 fn text_and_note_tell_every_fact_with_the_same_number() {
     let mut compared = 0;
     for (number, (scene, _)) in assur_fixtures::SCENES.iter().enumerate() {
-        let state = state(scene);
-        let (analysis, linkage) = (&state.found().unwrap().analysis, &state.scene.as_ref().unwrap().linkage);
+        let results = results(scene);
+        let (analysis, linkage) = (&results.found.as_ref().unwrap().analysis, &results.linkage);
         let facts = [summary(analysis, linkage), regime_facts(analysis)].concat();
         for code in LANGUAGES {
             assert_is_a_page(scene, &report(analysis, linkage, Some(&[0]), in_language(code)).unwrap());
@@ -76,8 +76,8 @@ fn text_and_note_tell_every_fact_with_the_same_number() {
 
 #[test]
 fn the_facts_of_a_regime_are_those_of_the_json() {
-    let state = state("shaper-drive");
-    let analysis = &state.found().unwrap().analysis;
+    let results = results("shaper-drive");
+    let analysis = &results.found.as_ref().unwrap().analysis;
     let json: Value = serde_json::from_str(&to_json(analysis, false).unwrap()).unwrap();
     let facts = regime_facts(analysis);
     for (id, pointer) in [

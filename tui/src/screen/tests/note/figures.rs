@@ -2,14 +2,14 @@
 
 use assur_book::Block;
 
-use super::state;
 use crate::screen::tests::courses::{assert_found, lines};
+use crate::screen::tests::opened;
 
 #[test]
 fn every_curve_of_a_note_is_a_column_of_the_json() {
     let mut compared = 0;
     for (name, _) in assur_fixtures::SCENES {
-        let state = state(name);
+        let state = opened(name);
         let document = assur_note::document(state.scene.as_ref().unwrap(), &[0]).unwrap();
         for block in &document.blocks {
             let Block::Figure { frames, caption, .. } = block else { continue };

@@ -9,10 +9,9 @@ use std::collections::BTreeSet;
 use assur_all as _;
 use assur_analysis::Options;
 use assur_note::{Form, Written};
+use assur_picture::Results;
 use assur_scene::Note;
 
-use crate::screen::state::State;
-use crate::screen::still::analyzed;
 use crate::session::{Session, Source};
 
 fn note(language: &'static str) -> Note {
@@ -21,17 +20,17 @@ fn note(language: &'static str) -> Note {
 }
 
 /// A scene with its analysis done.
-fn state(scene: &str) -> State {
+fn results(scene: &str) -> Results {
     let session = Session::open(Source::File(assur_fixtures::path(&format!("{scene}.toml")))).unwrap();
-    analyzed(&session.into(), Options::default(), true, assur_words::Language::english()).unwrap()
+    session.analyzed(&Options::default(), true).unwrap()
 }
 
-fn written(state: &State, language: &'static str, form: Form) -> Written {
-    assur_note::write(state.scene.as_ref().unwrap(), &note(language), form, "figures").unwrap()
+fn written(results: &Results, language: &'static str, form: Form) -> Written {
+    assur_note::write(results, &note(language), form, "figures").unwrap()
 }
 
 fn of(scene: &str, language: &'static str, form: Form) -> Written {
-    written(&state(scene), language, form)
+    written(&results(scene), language, form)
 }
 
 /// The texts between the tags.
@@ -46,8 +45,7 @@ fn no_english_word_is_left_in_another_language() {
     for scene in
         ["shaper-drive", "press", "conveyor", "guide-shaper", "stephenson3", "brake", "andrews", "run-up"]
     {
-        let state = state(scene);
-        let mechanism = &state.scene.as_ref().unwrap().linkage.mechanism;
+        let mechanism = &results(scene).linkage.mechanism;
         let links = mechanism.links.iter().map(|link| link.name.as_str());
         let points = mechanism.points.iter().map(|point| point.name.as_str());
         let slides = mechanism.slides.iter().map(|slide| slide.name.as_str());
@@ -94,10 +92,9 @@ fn every_tag_is_closed_and_every_text_is_there() {
 fn no_name_is_markup() {
     let path = assur_fixtures::path("../tests/corpus/markdown-script.toml");
     let session = Session::open(Source::File(path)).unwrap();
-    let state =
-        analyzed(&session.into(), Options::default(), true, assur_words::Language::english()).unwrap();
+    let results = session.analyzed(&Options::default(), true).unwrap();
     for form in [Form::Html, Form::Markdown] {
-        let written = self::written(&state, "en", form);
+        let written = self::written(&results, "en", form);
         assert!(written.text.contains("script"));
         let all = std::iter::once(&written.text).chain(written.figures.iter().map(|(_, drawn)| drawn));
         for text in all {

@@ -3,7 +3,7 @@
 use assur_report::json::analysis::to_json;
 use serde_json::Value;
 
-use super::{Form, of, state};
+use super::{Form, of, results};
 
 /// A table of the note: its caption, its head and its rows.
 struct Table {
@@ -61,7 +61,7 @@ fn same(cell: &str, value: &Value) {
 fn the_numbers_of_the_note_are_those_of_the_json() {
     let html = of("shaper-drive", "en", Form::Html).text;
     let json: Value =
-        serde_json::from_str(&to_json(&state("shaper-drive").found().unwrap().analysis, false).unwrap())
+        serde_json::from_str(&to_json(&results("shaper-drive").found.unwrap().analysis, false).unwrap())
             .unwrap();
     let tables = tables(&html);
     let mut compared = 0;
@@ -159,9 +159,9 @@ fn a_length_on_paper_times_its_scale_is_the_true_one() {
 #[test]
 fn the_mass_of_the_link_of_reduction_is_that_of_links_flywheel_and_rotor() {
     let html = of("shaper-drive", "en", Form::Html).text;
-    let state = state("shaper-drive");
+    let results = results("shaper-drive");
     let json: Value =
-        serde_json::from_str(&to_json(&state.found().unwrap().analysis, false).unwrap()).unwrap();
+        serde_json::from_str(&to_json(&results.found.as_ref().unwrap().analysis, false).unwrap()).unwrap();
     let figures = between(&html, "<figure>", "</figure>");
     let figure = figures.into_iter().find(|figure| figure.contains("The link of reduction")).unwrap();
     let text = plain(figure);

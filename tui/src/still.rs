@@ -1,0 +1,264 @@
+//! Pictures of results as files.
+
+use std::path::Path;
+
+use assur_figure::{Figure, svg};
+use assur_picture::{Look, Picture, Results, ViewPart, find};
+use assur_png as png;
+use assur_words::{Describe, Language, Text, Told, joined, list, name, number, text};
+use clap::Args;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use strum::VariantNames;
+
+use crate::screen::command::COMMANDS;
+use crate::screen::state::Keymap;
+use crate::screen::view;
+
+/// Width and height of a page, mm: what A4 leaves between its margins, in a good ratio.
+pub(crate) const PAGE: [f64; 2] = [160.0, 120.0];
+
+/// What is drawn.
+#[derive(Debug, Clone, Args)]
+pub(crate) struct PictureArgs {
+    /// View of the terminal UI that is drawn
+    #[arg(long, value_name = "NAME", default_value = "mechanism", value_parser = views())]
+    pub(crate) view: Picture,
+    /// Part of the view: forces, velocities, accelerations, construction (plans); overview, causes, curves, hodograph
+    /// (forces); overview, course, iteration, reduction (motion); overview, curves, places, energy-mass, inertia, reduction
+    /// (drive)
+    #[arg(long, value_name = "NAME")]
+    pub(crate) part: Option<String>,
+    /// Quantity, pair, link, group or method of a construction that is shown, found as by `/` in the terminal UI; several
+    /// quantities with commas between them lie over each other
+    #[arg(long, value_name = "NAME")]
+    pub(crate) show: Option<String>,
+    /// Step up to which a construction is drawn, counted from 1; without it, all steps
+    #[arg(long, value_name = "N")]
+    pub(crate) step: Option<usize>,
+    /// Position that is drawn
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    pub(crate) position: usize,
+    /// Width and height of the page in mm (png: 10 pixels a mm), for example 160x120
+    #[arg(long, value_name = "WxH", value_parser = page)]
+    pub(crate) size: Option<[f64; 2]>,
+    /// Let the drawing move through all positions (svg)
+    #[arg(long)]
+    pub(crate) animate: bool,
+}
+
+/// Sides of a page, mm.
+const SIDES: std::ops::RangeInclusive<f64> = 20.0..=2000.0;
+
+fn views() -> impl TypedValueParser<Value = Picture> {
+    PossibleValuesParser::new(Picture::VARIANTS).try_map(|name| name.parse::<Picture>())
+}
+
+fn page(text: &str) -> Result<[f64; 2], Told> {
+    let side = |text: &str| text.parse().ok().filter(|side| SIDES.contains(side));
+    let sides =
+        text.split_once(['x', 'X', '×']).and_then(|(width, height)| Some([side(width)?, side(height)?]));
+    sides.ok_or_else(|| {
+        let [least, most] = [SIDES.start(), SIDES.end()].map(number);
+        Told(text!("cli-write-size", least = least, most = most))
+    })
+}
+
+/// A figure in the form that the ending of a file names.
+///
+/// # Errors
+///
+/// Another ending than `svg` and `png`, or a page that can't be rendered.
+pub(crate) fn picture(
+    figure: &Figure,
+    path: &Path,
+    size: [f64; 2],
+    language: &Language,
+) -> Result<Vec<u8>, Text> {
+    match path.extension().unwrap_or_default().to_string_lossy().to_lowercase().as_str() {
+        "svg" => Ok(svg::write(figure, size, language).into_bytes()),
+        "png" => png::write(figure, size, language).map_err(|error| error.describe()),
+        _ => Err(text!("say-picture-ending", file = name(path.display().to_string()))),
+    }
+}
+
+#[derive(Debug)]
+pub(crate) enum StillError {
+    /// The request has no meaning for this scene.
+    Request(Text),
+    /// The scene has nothing of this kind to show.
+    Nothing(Text),
+}
+
+impl From<Text> for StillError {
+    fn from(problem: Text) -> Self {
+        Self::Request(problem)
+    }
+}
+
+impl PictureArgs {
+    /// Whether the checks belong to what is drawn: residuals are quantities too.
+    pub(crate) fn shows_checks(&self) -> bool {
+        self.show.is_some() && self.view == Picture::Curves
+    }
+
+    /// The part that is asked for.
+    fn part(&self) -> Result<Option<ViewPart>, Text> {
+        let (parts, Some(wanted)) = (self.view.parts(), &self.part) else { return Ok(None) };
+        if parts.is_empty() {
+            return Err(text!("draw-no-parts", view = name(<&str>::from(self.view))));
+        }
+        let part = parts.iter().find(|part| <&str>::from(**part) == wanted).copied();
+        part.map(Some).ok_or_else(|| {
+            let names = list(parts.iter().map(|part| name(<&str>::from(*part))));
+            text!("draw-no-part", part = name(wanted.to_owned()), parts = names)
+        })
+    }
+}
+
+/// Time of one turn of an animation, s.
+const TURN: f64 = 6.0;
+
+/// The picture of the results of a scene that is asked for, in the form that the ending of `output` names.
+///
+/// # Errors
+///
+/// [`StillError`]: a request without a meaning, a picture for which there are no results.
+pub(crate) fn draw(
+    results: &Results,
+    request: &PictureArgs,
+    output: &Path,
+    language: &'static Language,
+) -> Result<Vec<u8>, StillError> {
+    let size = request.size.unwrap_or(PAGE);
+    let (wanted, mut picked) = (request.part()?, Vec::new());
+    let mut look = Look { position: position(results, request.position)?, ..Look::default() };
+    // A construction is drawn whole, unless a step is asked for.
+    look.step = if wanted == Some(ViewPart::Construction) { usize::MAX } else { 0 };
+    let part = request.view.part(results, &look, wanted);
+    for sought in request.show.iter().filter(|sought| !sought.is_empty()) {
+        let told = |text: &Text| text.render(language);
+        if let Ok(number) = sought.parse() {
+            look.position = position(results, number)?;
+        } else if request.view == Picture::Curves {
+            choose_curves(results, sought, &mut look, &mut picked, told)?;
+        } else {
+            choose(results, request.view, part, sought, &mut look, told).ok_or_else(|| not_found(sought))?;
+        }
+    }
+    look.picked = &picked;
+    let part = request.view.part(results, &look, wanted);
+    if let Some(step) = request.step {
+        look.step = step_of(results, &look, (request.view, part), step)?;
+    }
+    let of = |position| figure(results, request.view, &Look { position, ..look }, part);
+    if !request.animate {
+        return Ok(picture(&of(look.position)?, output, size, language)?);
+    }
+    if output.extension().is_none_or(|ending| !ending.eq_ignore_ascii_case("svg")) {
+        return Err(text!("draw-svg-alone").into());
+    }
+    // One turn through all positions that exist.
+    let title = name(results.linkage.mechanism.title.clone());
+    let frames = results.assembled().map(|at| Ok(Figure { title: title.clone(), ..of(at)? }));
+    let frames = frames.collect::<Result<Vec<_>, StillError>>()?;
+    Ok(svg::animate(&frames, size, TURN, language).into_bytes())
+}
+
+fn position(results: &Results, wanted: usize) -> Result<usize, Text> {
+    let last = results.positions() - 1;
+    if wanted <= last {
+        return Ok(wanted);
+    }
+    Err(text!("draw-no-position", position = number(wanted), last = number(last)))
+}
+
+fn not_found(sought: &str) -> Text {
+    text!("say-not-found", text = name(sought.trim().to_owned()))
+}
+
+/// Chooses the quantities of these names: the curves of one with its derivatives, or several over each other.
+fn choose_curves(
+    results: &Results,
+    sought: &str,
+    look: &mut Look<'_>,
+    picked: &mut Vec<String>,
+    told: impl Fn(&Text) -> String,
+) -> Result<(), Text> {
+    let all: Vec<&str> = sought.split(',').collect();
+    for one in &all {
+        let column = find::column(results, 0, &one.trim().to_lowercase(), &told);
+        let column = column.ok_or_else(|| not_found(one))?;
+        let transfer = results.transfers.iter().position(|transfer| transfer.orders.contains(&column));
+        match transfer.filter(|_| all.len() == 1) {
+            Some(transfer) => look.transfer = transfer,
+            None => picked.extend(results.column(column).map(|series| series.short.clone())),
+        }
+    }
+    Ok(())
+}
+
+/// Chooses what a picture shows by its name; `None` if there is nothing of this name.
+fn choose(
+    results: &Results,
+    view: Picture,
+    part: ViewPart,
+    sought: &str,
+    look: &mut Look<'_>,
+    told: impl Fn(&Text) -> String,
+) -> Option<()> {
+    let (found, wanted) = (results.found.as_deref(), sought.to_lowercase());
+    match (view, part) {
+        (Picture::Forces, _) => look.reaction = find::reaction(found?, 0, &wanted)?,
+        (Picture::Plans, ViewPart::Construction) => {
+            look.step = find::step(&found?.plans.at(look.position), &wanted, told)?;
+        }
+        (Picture::Plans, ViewPart::Forces) => {
+            look.polygon = find::polygon(&found?.plans.at(look.position), &wanted, told)?;
+        }
+        (Picture::Plans, _) => return None,
+        (Picture::Structure, _) => {
+            let names: Vec<String> = results.group_names().iter().map(told).collect();
+            look.group = find::row(&names, 0, sought)?;
+        }
+        _ => drop(find::column(results, 0, &wanted, told)?),
+    }
+    Some(())
+}
+
+/// A step of the construction that is shown, counted from 1, as a step of all constructions.
+fn step_of(
+    results: &Results,
+    look: &Look<'_>,
+    shown: (Picture, ViewPart),
+    step: usize,
+) -> Result<usize, Text> {
+    let plans = results.found.as_ref().map(|found| found.plans.at(look.position));
+    let is_drawn = shown == (Picture::Plans, ViewPart::Construction);
+    let Some(plans) = plans.filter(|plans| is_drawn && plans.step_count() > 0) else {
+        let options = name("--view plans --part construction");
+        return Err(text!("draw-step-of-construction", step = name("--step"), options = options));
+    };
+    let shown = look.step.min(plans.step_count() - 1);
+    let mut steps = (0..plans.constructions.len()).map(|number| plans.steps_of(number));
+    let steps = steps.find(|steps| steps.contains(&shown)).unwrap_or(0..0);
+    if step == 0 || step > steps.len() {
+        return Err(text!("draw-no-step", step = number(step), last = number(steps.len())));
+    }
+    Ok(steps.start + step - 1)
+}
+
+/// A picture says of which scene and position it is.
+fn figure(results: &Results, view: Picture, look: &Look<'_>, part: ViewPart) -> Result<Figure, StillError> {
+    let figure = if view.is_in(results) { view.figure(results, look, part) } else { Figure::default() };
+    if figure.panels.is_empty() {
+        let keys = Keymap::of(COMMANDS);
+        return Err(StillError::Nothing(view::missing(results, Some(view), look, part, &keys)));
+    }
+    if matches!(view, Picture::Mechanism | Picture::Structure) {
+        return Ok(figure);
+    }
+    let of_scene = name(results.linkage.mechanism.title.clone());
+    let parts = [of_scene, results.place(look.position), figure.title.clone()];
+    let title = joined("; ", parts.into_iter().filter(|part| !part.is_empty()));
+    Ok(Figure { title, ..figure })
+}
