@@ -105,10 +105,6 @@ impl Calculation {
     }
 
     /// The rows of all positions, and nothing else.
-    ///
-    /// # Errors
-    ///
-    /// [`Stopped`] where `watch` breaks.
     pub fn rows(&self, watch: &mut Watch<'_>) -> Result<Table, Stopped> {
         Ok(self.positions(1, watch)?.kept)
     }

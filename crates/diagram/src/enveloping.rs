@@ -41,10 +41,6 @@ pub struct Enveloping {
 
 /// Path of the lowest point of an arc over the interval of its contact (without one: over the positions of the scene),
 /// at `count` equally spaced places, at least 2, both ends included. `name`: that of the contact.
-///
-/// # Errors
-///
-/// [`DiagramError`] where the mechanism has no such position.
 pub fn enveloping(
     linkage: &Linkage,
     name: &Name,

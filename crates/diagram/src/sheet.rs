@@ -94,10 +94,6 @@ fn reactions(
 
 /// The constructions of all analyzers that have one and support the mechanism, step by step, each with the name of its
 /// analyzer; of two forms of one method with the same drawing, only one. A construction that fails at this position is left out.
-///
-/// # Errors
-///
-/// [`DiagramError::Registry`] where the registry of analyzers is faulty.
 pub fn constructions(
     linkage: &Linkage,
     position: &Position,

@@ -143,10 +143,6 @@ impl<'a> Driven<'a> {
     }
 
     /// The coefficients without the dry friction of pairs.
-    ///
-    /// # Errors
-    ///
-    /// [`MotionError`] if there is no such position.
     pub(crate) fn ideal(&mut self, state: &State) -> Result<Reduced, MotionError> {
         let [moment, inertia] = self.present(state);
         let Reduced { inertia: own, inertia_derivative, moment: loads } = self.machine.ideal(state)?;

@@ -37,10 +37,6 @@ pub struct Holding {
 impl Driven<'_> {
     /// Completes a sample of a motion with accelerations and loads. At a jump, the values just after it in the
     /// direction of motion are taken; for the last sample (`is_end`), those just before.
-    ///
-    /// # Errors
-    ///
-    /// [`MotionError`] if the mechanism has no such position, or the equation no value.
     pub fn instant(&mut self, sample: &Sample, is_end: bool) -> Result<Instant, MotionError> {
         let (at, speed) = (sample.state(), sample.speed);
         let bounds = self.enter(&at)?.speed;

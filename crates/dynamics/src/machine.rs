@@ -65,10 +65,6 @@ impl<'a> Machine<'a> {
     }
 
     /// The coefficients without dry friction.
-    ///
-    /// # Errors
-    ///
-    /// [`MotionError`] if there is no such position, or a load has no value.
     #[inline]
     pub(crate) fn ideal(&mut self, state: &State) -> Result<Reduced, MotionError> {
         self.solve(state.coordinate)?;
@@ -121,10 +117,6 @@ impl<'a> Machine<'a> {
     }
 
     /// Potential energy of weights and springs at a coordinate, and the sum of the sizes of its terms, J.
-    ///
-    /// # Errors
-    ///
-    /// [`MotionError`] if there is no such position.
     pub fn potential_energy(&mut self, coordinate: f64) -> Result<[f64; 2], MotionError> {
         let loads = self.loads;
         let bodies = self.bodies(coordinate)?;
@@ -132,10 +124,6 @@ impl<'a> Machine<'a> {
     }
 
     /// The bodies at a coordinate, with their first derivatives.
-    ///
-    /// # Errors
-    ///
-    /// [`MotionError`] if there is no such position.
     pub fn bodies(&mut self, coordinate: f64) -> Result<&[Body<f64>], MotionError> {
         self.solve(coordinate)?;
         Ok(&self.position.bodies)

@@ -44,10 +44,6 @@ impl Formula {
     /// assert_eq!(formula.value(&at), 5600.0);
     /// assert_eq!(Formula::read("2*speed").unwrap_err().span, 2..7);
     /// ```
-    ///
-    /// # Errors
-    ///
-    /// [`FormulaError`] with the place in the text.
     pub fn read(text: &str) -> Result<Self, FormulaError> {
         let parse::Program { operations, switches } = parse::read(text)?;
         let used = used(&operations);

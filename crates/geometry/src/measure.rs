@@ -91,10 +91,6 @@ pub struct Overview {
 }
 
 /// Measures the strokes and swings of the outputs of a machine, and the least transmission angle.
-///
-/// # Errors
-///
-/// [`GeometryError`] if the mechanism can't be assembled somewhere in its cycle.
 pub fn overview(linkage: &Linkage) -> Result<Overview, GeometryError> {
     let mechanism = &linkage.mechanism;
     let cycle = Cycle::of(linkage)?;
@@ -130,10 +126,6 @@ pub fn overview(linkage: &Linkage) -> Result<Overview, GeometryError> {
 }
 
 /// The motion of some parts over the cycle.
-///
-/// # Errors
-///
-/// [`GeometryError`] if the mechanism can't be assembled somewhere in its cycle.
 pub fn courses(
     linkage: &Linkage,
     links: impl Iterator<Item = LinkId>,
@@ -150,10 +142,6 @@ pub fn courses(
 }
 
 /// The distances of points of links from places in the frame of the ground over the cycle, m.
-///
-/// # Errors
-///
-/// [`GeometryError`] if the mechanism can't be assembled somewhere in its cycle.
 pub fn distances(
     linkage: &Linkage,
     targets: impl Iterator<Item = (Place, [f64; 2])>,

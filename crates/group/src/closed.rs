@@ -33,10 +33,6 @@ pub trait ClosedForm<T: Real>: Sized + std::fmt::Debug + Send + Sync {
     fn health(&self, position: &Self::Position) -> T;
 
     /// Returns an error for a position in which derivatives and reactions are not determined.
-    ///
-    /// # Errors
-    ///
-    /// [`GroupError::Singular`] there.
     #[inline(always)]
     fn determined(&self, position: &Self::Position) -> Result<(), GroupError> {
         GroupError::if_singular(self.health(position))

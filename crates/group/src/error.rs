@@ -93,10 +93,6 @@ pub const LEAST_HEALTH: f64 = 1e-15;
 
 impl GroupError {
     /// Returns an error for a determinant that is zero or NaN in any lane.
-    ///
-    /// # Errors
-    ///
-    /// [`GroupError::Singular`] for a determinant that is zero or NaN.
     #[inline(always)]
     pub fn if_singular<T: Real>(health: T) -> Result<(), Self> {
         let is_regular = health.at_least(LEAST_HEALTH.max(4.0 * T::EPSILON));
@@ -109,10 +105,6 @@ impl GroupError {
     /// For kinds whose determinant is the square root of a difference of lengths (zero for links stretched or folded,
     /// or a rod perpendicular to the guide). Its relative rounding error is `condition` / health²; derivatives and
     /// reactions would be finite but wrong. `square` is condition², which avoids a square root.
-    ///
-    /// # Errors
-    ///
-    /// [`GroupError::Singular`] if fewer digits are left.
     #[inline(always)]
     pub fn if_lost<T: Real>(health: T, square: T) -> Result<(), Self> {
         /// The squared determinant must exceed this number of rounding errors.
@@ -125,10 +117,6 @@ impl GroupError {
     }
 
     /// Returns an error for a result that is NaN in any lane.
-    ///
-    /// # Errors
-    ///
-    /// [`GroupError::Singular`] with the health NaN.
     #[inline(always)]
     pub fn if_nan<T: Real>(result: T) -> Result<(), Self> {
         let is_number = result.at_least(f64::NEG_INFINITY);

@@ -39,10 +39,6 @@ pub struct PinJoint<T> {
 
 impl<T: Real> PinJoint<T> {
     /// Reads a pair of the group as a pin.
-    ///
-    /// # Errors
-    ///
-    /// [`BuildError`] for a slide.
     pub fn new(seen: &SeenPair) -> Result<Self, BuildError> {
         let SeenPair { pair, turned } = *seen;
         match pair.geometry {
@@ -112,10 +108,6 @@ pub struct SlideJoint<T> {
 
 impl<T: Real> SlideJoint<T> {
     /// Reads a pair of the group as a slide.
-    ///
-    /// # Errors
-    ///
-    /// [`BuildError`] for a pin.
     pub fn new(seen: &SeenPair) -> Result<Self, BuildError> {
         let SeenPair { pair, turned } = *seen;
         let PairGeometry::Slide { point, through, angle: along_angle, tilt: tilt_angle } = pair.geometry

@@ -71,10 +71,6 @@ pub trait AssurGroup<T: Real = f64>: std::fmt::Debug + Send + Sync {
     }
 
     /// Calls [`place`](Self::place) and [`derive`](Self::derive); closed forms share their intermediate results.
-    ///
-    /// # Errors
-    ///
-    /// The errors of [`place`](Self::place) and of [`derive`](Self::derive).
     fn solve(&self, bodies: &mut [Body<T>], way: usize, order: Order) -> Result<T, GroupError> {
         let health = self.place(bodies, way)?;
         if order > Order::Place {
@@ -118,10 +114,6 @@ pub trait AssurGroup<T: Real = f64>: std::fmt::Debug + Send + Sync {
 
     /// Computes the reactions under several sets of loads: `loads` and `reactions` hold, set after set, what
     /// [`reactions`](Self::reactions) takes. Closed forms share what does not depend on loads.
-    ///
-    /// # Errors
-    ///
-    /// The errors of [`reactions`](Self::reactions).
     fn reactions_under(
         &self,
         bodies: &[Body<T>],

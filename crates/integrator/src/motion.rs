@@ -213,10 +213,6 @@ pub trait EquationOfMotion {
 
     /// Numbers whose change of sign gives the equation a kink inside a piece, so that a step should end there: of an equation whose
     /// moment depends on the acceleration, the forces whose magnitude gives friction. None by default.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`reduced`](Self::reduced).
     fn bends(&mut self, state: &State) -> Result<Vec<f64>, MotionError> {
         let _ = state;
         Ok(Vec::new())

@@ -10,10 +10,6 @@ use crate::{CountedEquation, IntegrationError, MotionError, Piece, State};
 /// At rest and at a bound of the speed both sides are tried: a side is right if its own acceleration leads into it. The
 /// speed may lie on a bound of the piece that begins, too: that of a motion that starts on a row of a table.
 /// `None`: each side drives the motion back, so that the speed is held (dry friction at rest, a governor).
-///
-/// # Errors
-///
-/// [`IntegrationError::Equation`], [`IntegrationError::EmptyPiece`].
 pub fn enter(
     equation: &mut CountedEquation<'_>,
     state: &State,

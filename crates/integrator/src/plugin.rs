@@ -88,10 +88,6 @@ assur_plugin::registry!(IntegratorPlugin, text!("integrator-sort"), name);
 
 impl IntegratorPlugin {
     /// Whether the method suits such an equation at all.
-    ///
-    /// # Errors
-    ///
-    /// [`IntegrationError::Unsupported`] with the reason.
     pub fn supports(&self, dependence: &Dependence) -> Result<(), IntegrationError> {
         // Whether a method suits an equation does not depend on the tolerance, only how well it does.
         match (self.suitability)(dependence, f64::EPSILON) {

@@ -271,10 +271,6 @@ impl<'a, C: Curve> Run<'a, C> {
     }
 
     /// The motion that was found.
-    ///
-    /// # Errors
-    ///
-    /// [`IntegrationError::Equation`] where the equation fails at a sample.
     pub fn conclude(mut self) -> Result<Trajectory, IntegrationError> {
         let ends = [self.first, self.node];
         let samples = samples(&mut self.equation, &self.segments, self.request, ends)?;
@@ -331,10 +327,6 @@ impl<C: Curve> Segment<C> {
 /// The samples of a motion from `first` to `last`: the requested number of equally spaced ones after the first, the last at the end.
 ///
 /// Segments that contain no sample may be missing.
-///
-/// # Errors
-///
-/// [`IntegrationError::Equation`] where the equation fails at a sample.
 pub(crate) fn samples<C: Curve>(
     equation: &mut CountedEquation<'_>,
     segments: &[Segment<C>],

@@ -89,10 +89,6 @@ pub trait Stepper: Default {
     }
 
     /// The inside of the last step, from `from` to `to`.
-    ///
-    /// # Errors
-    ///
-    /// [`MotionError`] if an extra stage fails.
     fn dense(
         &mut self,
         equation: &mut CountedEquation<'_>,
@@ -161,10 +157,6 @@ impl<'a> CountedEquation<'a> {
     }
 
     /// The [`EquationOfMotion::bends`] at a state; counts as one evaluation.
-    ///
-    /// # Errors
-    ///
-    /// [`MotionError`] of the equation.
     pub(crate) fn bends(&mut self, state: &State) -> Result<Vec<f64>, MotionError> {
         self.cost.evaluations += 1;
         self.motion.bends(state)

@@ -68,10 +68,6 @@ pub struct Chain<T: Number> {
 
 impl<T: Number> Chain<T> {
     /// Builds the kernels of all groups.
-    ///
-    /// # Errors
-    ///
-    /// [`CompileError::Build`] if a group's lengths don't form a group of its kind.
     pub fn compile(mechanism: &Mechanism, structure: &Structure) -> Result<Self, CompileError> {
         let mut groups = Vec::with_capacity(structure.groups.len());
         for (i, group) in structure.groups.iter().enumerate() {

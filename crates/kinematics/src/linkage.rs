@@ -63,10 +63,6 @@ impl Linkage {
     /// Decomposes a mechanism into groups, compiles it and follows its assembly over the cycle.
     ///
     /// A mechanism that can't be assembled compiles too; [`solve`](Self::solve) then reports the group and the gap.
-    ///
-    /// # Errors
-    ///
-    /// [`CompileError`] if the mechanism can't be decomposed into registered groups.
     pub fn compile(mechanism: Mechanism) -> Result<Self, CompileError> {
         let structure = decompose(&mechanism)?;
         let needed = vec![true; structure.groups.len()];
@@ -82,10 +78,6 @@ impl Linkage {
     /// that fails, following takes nearly all of the time: 720 samples a turn for each group, eight at once. The chain in 32
     /// digits is compiled only where the places in `[assembly]` don't tell two modes apart in 16 digits, and where a
     /// determinant comes near zero between two samples.
-    ///
-    /// # Errors
-    ///
-    /// [`CompileError`] if a group's lengths don't form a group of its kind.
     pub fn compile_for(
         mechanism: Mechanism,
         structure: Structure,
@@ -117,10 +109,6 @@ impl Linkage {
     /// The linkage of a mechanism that differs in numbers only, with some groups needed as in
     /// [`compile_for`](Self::compile_for). It comes with the mechanism that this linkage had, and with whether both have the
     /// same positions: then nothing was compiled.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`compile_for`](Self::compile_for).
     pub fn varied(
         mut self,
         mechanism: Mechanism,
@@ -165,10 +153,6 @@ impl Linkage {
     }
 
     /// Solves all links at one coordinate.
-    ///
-    /// # Errors
-    ///
-    /// [`PositionError`] with the group, the coordinate and the reason.
     #[inline]
     pub fn solve(&self, coordinate: f64, order: Order, position: &mut Position) -> Result<(), PositionError> {
         position.coordinate = coordinate;
@@ -275,10 +259,6 @@ impl Linkage {
     }
 
     /// Solves position `index` of the scene.
-    ///
-    /// # Errors
-    ///
-    /// [`PositionError`], with the number of the position.
     pub fn solve_index(
         &self,
         index: usize,

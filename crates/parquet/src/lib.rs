@@ -13,13 +13,12 @@ use std::io::Write;
 use std::sync::Arc;
 
 use ::parquet::basic::{Compression, Encoding, LogicalType, Repetition, Type as Physical, ZstdLevel};
-use ::parquet::column::writer::{ColumnCloseResult, ColumnWriter, get_column_writer};
-use ::parquet::data_type::ByteArray;
+use ::parquet::column::page::PageWriter;
+use ::parquet::column::writer::{ColumnCloseResult, ColumnWriterImpl};
+use ::parquet::data_type::{ByteArray, ByteArrayType, DataType, DoubleType, Int64Type};
 use ::parquet::errors::ParquetError as Inner;
-use ::parquet::file::metadata::KeyValue;
+use ::parquet::file::metadata::{KeyValue, ParquetMetaDataReader};
 use ::parquet::file::properties::{EnabledStatistics, WriterProperties, WriterPropertiesPtr};
-use ::parquet::file::reader::FileReader;
-use ::parquet::file::serialized_reader::SerializedFileReader;
 use ::parquet::file::writer::{SerializedFileWriter, SerializedPageWriter, TrackedWrite};
 use ::parquet::schema::types::{ColumnDescPtr, ColumnPath, Type, TypePtr};
 use bytes::Bytes;
@@ -110,33 +109,33 @@ impl Column {
     /// The values, compressed; the column is empty then.
     fn compressed(
         &mut self,
-        (description, properties): (ColumnDescPtr, WriterPropertiesPtr),
+        of: (ColumnDescPtr, WriterPropertiesPtr),
     ) -> Result<(Bytes, ColumnCloseResult), Inner> {
         let mut bytes = TrackedWrite::new(Vec::new());
         let pages = Box::new(SerializedPageWriter::new(&mut bytes));
-        let mut writer = get_column_writer(description, properties, pages);
         let levels = self.levels.as_deref();
-        match (&mut writer, &self.values) {
-            (ColumnWriter::Int64ColumnWriter(out), Values::Whole(values)) => {
-                out.write_batch(values, levels, None)
-            }
-            (ColumnWriter::DoubleColumnWriter(out), Values::Numbers(values)) => {
-                out.write_batch(values, levels, None)
-            }
-            (ColumnWriter::ByteArrayColumnWriter(out), Values::Texts(values)) => {
-                out.write_batch(values, levels, None)
-            }
-            _ => Err(Inner::General(format!("column `{}` is not of the kind of the file's", self.name))),
+        let close = match &mut self.values {
+            Values::Whole(values) => chunk::<Int64Type>(of, pages, values, levels),
+            Values::Numbers(values) => chunk::<DoubleType>(of, pages, values, levels),
+            Values::Texts(values) => chunk::<ByteArrayType>(of, pages, values, levels),
         }?;
-        let close = writer.close()?;
-        match &mut self.values {
-            Values::Whole(values) => values.clear(),
-            Values::Numbers(values) => values.clear(),
-            Values::Texts(values) => values.clear(),
-        }
         self.levels.iter_mut().for_each(Vec::clear);
         Ok((bytes.into_inner()?.into(), close))
     }
+}
+
+/// Writes values as one chunk and takes them away. The writer is of their type alone: `get_column_writer` would link those
+/// of all types.
+fn chunk<T: DataType>(
+    (description, properties): (ColumnDescPtr, WriterPropertiesPtr),
+    pages: Box<dyn PageWriter + '_>,
+    values: &mut Vec<T::T>,
+    levels: Option<&[i16]>,
+) -> Result<ColumnCloseResult, Inner> {
+    let mut writer = ColumnWriterImpl::<T>::new(description, properties, pages);
+    writer.write_batch(values, levels, None)?;
+    values.clear();
+    writer.close()
 }
 
 /// The schema of a file with these columns.
@@ -154,10 +153,6 @@ pub struct File<W: Write + Send> {
 impl<W: Write + Send> File<W> {
     /// Begins a file with these columns; `data`: keys and values of its own; `searchable`: its groups tell the extremes of their
     /// columns, so that readers leave groups out.
-    ///
-    /// # Errors
-    ///
-    /// [`ParquetError`] if the writer fails.
     pub fn new(
         columns: &[Column],
         data: Vec<(String, String)>,
@@ -207,8 +202,7 @@ impl<W: Write + Send> File<W> {
 
     /// Appends the groups of a complete file with the same columns.
     pub fn append(&mut self, part: &fs::File) -> Result<(), ParquetError> {
-        let reader = SerializedFileReader::new(part.try_clone()?)?;
-        for old in reader.metadata().row_groups() {
+        for old in ParquetMetaDataReader::new().parse_and_finish(part)?.row_groups() {
             let mut group = self.file.next_row_group()?;
             for column in old.columns() {
                 let close = ColumnCloseResult {

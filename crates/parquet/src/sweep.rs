@@ -5,10 +5,13 @@
 
 use std::fs::File;
 use std::io::Write;
+use std::sync::Arc;
 
-use ::parquet::file::reader::FileReader;
-use ::parquet::file::serialized_reader::SerializedFileReader;
-use ::parquet::record::Field;
+use ::parquet::basic::Type;
+use ::parquet::column::reader::ColumnReaderImpl;
+use ::parquet::data_type::DoubleType;
+use ::parquet::file::metadata::{ColumnChunkMetaData, ParquetMetaDataReader};
+use ::parquet::file::serialized_reader::SerializedPageReader;
 use assur_sweep::{Columns, Origin, Rows, Sweep, Tally};
 
 use crate::{Column, File as Written, ParquetError, schema};
@@ -49,9 +52,9 @@ pub struct FilePart {
 
 impl FilePart {
     /// Reads a part; `None` if the file is none of this sweep.
-    pub fn read(file: File, sweep: &Sweep) -> Option<Self> {
-        let reader = SerializedFileReader::new(file).ok()?;
-        let metadata = reader.metadata().file_metadata();
+    pub fn read(file: &File, sweep: &Sweep) -> Option<Self> {
+        let metadata = ParquetMetaDataReader::new().parse_and_finish(file).ok()?;
+        let metadata = metadata.file_metadata();
         if *metadata.schema() != *schema(&columns(sweep.columns())).ok()? {
             return None;
         }
@@ -110,17 +113,34 @@ fn columns(columns: &Columns) -> Vec<Column> {
 }
 
 /// The parameters of a row of a file with rows of a sweep: the columns before `status`. `None` without such a row or column.
-///
-/// # Errors
-///
-/// [`ParquetError`] if the file can't be read.
 pub fn parameters(file: File, row: usize) -> Result<Option<Vec<(String, f64)>>, ParquetError> {
-    let reader = SerializedFileReader::new(file)?;
-    let Some(row) = reader.get_row_iter(None)?.nth(row).transpose()? else { return Ok(None) };
-    let columns = row.get_column_iter().map(|(name, field)| (name.clone(), field));
-    let before = columns.take_while(|(name, _)| name != "status");
-    let number = |(name, field): (String, &Field)| {
-        if let Field::Double(number) = field { Some((name, *number)) } else { None }
-    };
-    Ok(before.map(number).collect())
+    let metadata = ParquetMetaDataReader::new().parse_and_finish(&file)?;
+    let (file, mut row) = (Arc::new(file), row);
+    for group in metadata.row_groups() {
+        let rows = usize::try_from(group.num_rows()).unwrap_or(0);
+        if row < rows {
+            let before = group.columns().iter().take_while(|column| column.column_descr().name() != "status");
+            return before.map(|column| parameter(&file, column, rows, row)).collect();
+        }
+        row -= rows;
+    }
+    Ok(None)
+}
+
+/// The name of a column and its number in a row of a group of so many rows; `None` where there is no number.
+fn parameter(
+    file: &Arc<File>,
+    column: &ColumnChunkMetaData,
+    rows: usize,
+    row: usize,
+) -> Result<Option<(String, f64)>, ParquetError> {
+    if column.column_type() != Type::DOUBLE {
+        return Ok(None);
+    }
+    let pages = SerializedPageReader::new(Arc::clone(file), column, rows, None)?;
+    let mut reader = ColumnReaderImpl::<DoubleType>::new(column.column_descr_ptr(), Box::new(pages));
+    let (mut levels, mut numbers) = (Vec::new(), Vec::new());
+    reader.skip_records(row)?;
+    reader.read_records(1, Some(&mut levels), None, &mut numbers)?;
+    Ok(numbers.first().map(|number| (column.column_descr().name().to_owned(), *number)))
 }

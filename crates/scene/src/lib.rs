@@ -70,19 +70,11 @@ pub fn read(file_name: &str, text: &str) -> Result<Mechanism, SceneErrors> {
 }
 
 /// Reads a scene, and what it says about its explanatory note. `file_name` appears only in errors.
-///
-/// # Errors
-///
-/// Those of [`read`].
 pub fn read_with_note(file_name: &str, text: &str) -> Result<(Mechanism, Note), SceneErrors> {
     read_as(file_name, text, Faults::default()).map(|reading| (reading.mechanism, reading.note))
 }
 
 /// Reads a scene with all that it tells: its mechanism, its note, its numbers. `file_name` appears only in errors.
-///
-/// # Errors
-///
-/// Those of [`read`].
 pub fn reading(file_name: &str, text: &str) -> Result<Reading, SceneErrors> {
     read_as(file_name, text, Faults::telling())
 }

@@ -47,10 +47,6 @@ pub fn shaking(linkage: &Linkage, state: &dyn Fn(f64) -> LoadState) -> Result<Sh
 }
 
 /// How large shaking force and moment are over the cycle, without counterweights; `state` is the motion at a coordinate.
-///
-/// # Errors
-///
-/// Those of [`shaking`].
 pub fn shaking_size(linkage: &Linkage, state: &dyn Fn(f64) -> LoadState) -> Result<Size, ShakingError> {
     let input = &linkage.mechanism.input;
     let step = input.sign() * period(&linkage.mechanism)? / SAMPLES as f64;

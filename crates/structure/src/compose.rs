@@ -20,10 +20,6 @@ impl Structure {
 
     /// Decomposes a mechanism without some parts, which are passive: its groups don't depend on them. The mobility is that of
     /// the whole mechanism as counted.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`of`](Self::of), for what remains.
     pub fn without(mechanism: &Mechanism, parts: &[PassivePart]) -> Result<Self, StructureError> {
         let mobility = count(mechanism);
         let left_out = LeftOut::of(mechanism, parts);
@@ -148,7 +144,7 @@ fn refuse_other_mobility(
                 // Both ends of the surplus pair are known (ground and input link).
                 links.push(mechanism.links[mechanism.input.link].name.to_string());
             }
-            Err(StructureError::Surplus { counted, pairs, links, why: Text::default() })
+            Err(StructureError::Surplus { counted, pairs, links, why: Box::default() })
         }
         (surplus, false) => {
             let surplus = surplus.map_or(Vec::new(), |(pairs, _)| pairs);

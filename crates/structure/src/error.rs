@@ -39,7 +39,7 @@ pub enum StructureError {
         /// Links that they lock.
         links: Vec<String>,
         /// Why no part of it is passive, as the rest of a sentence; may be empty.
-        why: Text,
+        why: Box<Text>,
     },
     /// Slides alone hold a link at two different angles.
     SlideAngles {
@@ -147,7 +147,7 @@ impl Describe for StructureError {
                 pairs = text!("structure-pairs", count = pairs.len(), pairs = some(pairs, "`")),
                 count = pairs.len(),
                 links = links_named(links),
-                cause = why
+                cause = &**why
             ),
             Self::SlideAngles { slide, off, tilt, .. } => {
                 let shown = |angle: &f64| quantity((angle.to_degrees() * 1e6).round() / 1e6, "deg");

@@ -1,53 +1,47 @@
-//! Angles of links without jumps from position to position.
+//! The angle of a link without jumps from position to position.
 
-use assur_kinematics::{Linkage, continuous_angle, first_angle};
+use assur_kinematics::{LanePosition, Linkage, continuous_angle, first_angle};
 use assur_mechanism::LinkId;
-use assur_number::elementary;
+use assur_number::{Lanes, elementary};
 
 /// An angle that differs by more than this (rad) from what the transfer functions at both ends of a step let expect is
 /// not joined over the whole step.
 const UNCLEAR: f64 = 0.5;
 
-/// The angles of some links, followed along the coordinate.
-#[derive(Debug, Default)]
-pub(crate) struct Angles {
-    /// Coordinate of the last position; `None` before the first.
-    last: Option<f64>,
-    /// Angle (rad) and its derivative in the last position, of each link.
-    links: Vec<[f64; 2]>,
+/// The angle of a link, followed along the coordinate.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Followed {
+    /// Coordinate, angle (rad) and its derivative in the last position; `None` before the first.
+    last: Option<[f64; 3]>,
 }
 
-impl Angles {
-    /// Forgets the positions.
-    pub(crate) fn clear(&mut self) {
-        self.last = None;
-        self.links.clear();
-    }
-
-    /// Angle (rad) and derivative of each link in a solved position: in (-pi, pi] in the first one, then continuous.
-    ///
-    /// `poses`: each link with cosine and sine of its angle and the derivative.
+impl Followed {
+    /// The angle (rad) in those of eight solved positions that are marked: in (-pi, pi] in the first one of all, then continuous.
     pub(crate) fn follow(
         &mut self,
-        linkage: &Linkage,
-        coordinate: f64,
-        poses: impl Iterator<Item = (LinkId, [f64; 3])>,
-    ) -> &[[f64; 2]] {
-        let Some(from) = self.last.replace(coordinate) else {
-            self.links.extend(poses.map(|(_, [c, s, w])| [first_angle(elementary::atan2(s, c)), w]));
-            return &self.links;
-        };
-        let way = coordinate - from;
-        for ([angle, rate], (link, [c, s, w])) in self.links.iter_mut().zip(poses) {
-            let expected = *angle + 0.5 * (*rate + w) * way;
+        (linkage, link): (&Linkage, LinkId),
+        position: &LanePosition,
+        valid: [bool; Lanes::WIDTH],
+    ) -> Lanes {
+        let body = &position.bodies[link];
+        let mut angles = Lanes::default();
+        for lane in (0..Lanes::WIDTH).filter(|&lane| valid[lane]) {
+            let [c, s, rate, to] = [body.c, body.s, body.w1, position.coordinates].map(|of| of.0[lane]);
             let plain = elementary::atan2(s, c);
-            let joined = continuous_angle(plain, expected);
-            // Comparing this way round, an angle that is not a number is unclear too.
-            let clear = (joined - expected).abs() <= UNCLEAR;
-            *angle = if clear { joined } else { in_steps(linkage, link, [from, coordinate], *angle, plain) };
-            *rate = w;
+            let angle = self.last.map_or_else(
+                || first_angle(plain),
+                |[from, angle, before]| {
+                    let expected = angle + 0.5 * (before + rate) * (to - from);
+                    let joined = continuous_angle(plain, expected);
+                    // Comparing this way round, an angle that is not a number is unclear too.
+                    let is_clear = (joined - expected).abs() <= UNCLEAR;
+                    if is_clear { joined } else { in_steps(linkage, link, [from, to], angle, plain) }
+                },
+            );
+            self.last = Some([to, angle, rate]);
+            angles.0[lane] = angle;
         }
-        &self.links
+        angles
     }
 }
 

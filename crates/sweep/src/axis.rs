@@ -143,7 +143,7 @@ impl Axis {
 
     /// A value as it is written into the scene.
     pub(crate) fn toml(&self, number: f64) -> String {
-        toml(number, &self.name, !self.name.is_empty())
+        if self.name.is_empty() { number.to_string() } else { format!("\"{number} {}\"", self.name) }
     }
 
     /// What is said of ends without a unit that are SI, where in the unit of the scene they would be nearer to the value of the scene.
@@ -264,13 +264,4 @@ pub fn suffixes() -> Vec<(Dimension, String)> {
     all.retain(|(_, suffix)| !suffix.is_empty());
     all.sort_by_key(|(_, suffix)| std::cmp::Reverse(suffix.len()));
     all
-}
-
-/// A number with a unit as TOML.
-pub(crate) fn toml(number: f64, unit: &str, quoted: bool) -> String {
-    match (quoted, unit.is_empty()) {
-        (false, _) => number.to_string(),
-        (true, true) => format!("\"{number}\""),
-        (true, false) => format!("\"{number} {unit}\""),
-    }
 }

@@ -1,51 +1,30 @@
-//! What of a mechanism is measured, by name and by place.
+//! What a sweep writes of each point: the columns of its measures, and the statistics from which they follow.
 
-use std::iter::once;
+use std::sync::Arc;
 
-use assur_analysis::results::{Column, Owner, Part, Quantity};
-use assur_analysis::{Calculation, Options, plan};
-use assur_book::catalogue::{self, PathStep};
+use assur_analysis::plan::Wanted;
+use assur_analysis::results::{Column, Owner, Quantity, Schema};
+use assur_analysis::{Calculation, Options, plan, unwatched};
+use assur_book::Unit;
+use assur_book::catalogue::unit;
 use assur_force::{Joint, joints};
 use assur_kinematics::decompose;
-use assur_mechanism::{LinkId, Mechanism, Motion, PairId, PointId, SlideId, Torque};
-use assur_structure::name_of;
-
+use assur_mechanism::{LinkId, Mechanism, Motion, SlideId, Torque};
 use assur_words::{list, name, text};
 
+use crate::measured::Measured;
 use crate::reach::Reach;
-use crate::{SweepError, Target};
+use crate::{Measure, SweepError, Target};
 
-/// What of a mechanism is measured; the same at every point of a sweep.
+/// How a number of a point is found, by the number of what it belongs to: a statistic, a part, a place.
+pub(crate) type Find = fn(&Measured, usize) -> Option<f64>;
+
+/// A column of a measure.
 #[derive(Debug, Clone)]
-pub(crate) struct Layout {
-    /// Whether there is a group.
-    pub(crate) groups: bool,
-    /// Whether a balancing load is found at the positions.
-    pub(crate) balancing: bool,
-    /// Pins and slides whose reactions are found.
-    pub(crate) joints: Vec<Named<Joint>>,
-    /// Points, each with the link in which it is placed first.
-    pub(crate) points: Vec<Named<(PointId, LinkId)>>,
-    /// Slides.
-    pub(crate) slides: Vec<Named<SlideId>>,
-    /// Moving links.
-    pub(crate) links: Vec<Named<LinkId>>,
-    /// Places from which a point's distance is measured: the number of the point among `points`, and the place, m.
-    pub(crate) targets: Vec<(usize, [f64; 2])>,
-    /// Whether there is dry friction in pairs.
-    pub(crate) friction: bool,
-    /// The force analyzer, where forces are calculated.
-    pub(crate) analyzer: Option<&'static str>,
-    /// The motion, unless it is prescribed.
-    pub(crate) motion: Option<Sought>,
-    /// Units of coordinate, speed and balancing load, as ends of column names.
-    pub(crate) units: Units,
-    /// Columns of the positions that are measured as they are.
-    pub(crate) plain: Vec<Plain>,
-    /// What has a statistic: first what belongs to the places, then what belongs to loads and motion, then the plain columns.
-    pub(crate) gathered: Vec<Gathered>,
-    /// How many of them belong to the places.
-    pub(crate) places: usize,
+pub(crate) struct Value {
+    pub(crate) name: String,
+    pub(crate) of: usize,
+    pub(crate) find: Find,
 }
 
 /// A number of a position of which there is a statistic.
@@ -55,200 +34,187 @@ pub(crate) enum Gathered {
     Health,
     /// Least transmission angle of all groups.
     Transmission,
-    /// A column of the results.
-    Column(Column),
-    /// The modulus of a column.
-    Size(Column),
-    /// The greatest force of a pin or slide on one of its links: their moduli. The statistic at the positions is of its square.
-    Force(Vec<Column>),
+    /// A coordinate of a point, by its number among the points that are wanted.
+    Point(usize, Column),
+    /// Displacement of a slide.
+    Slide(SlideId),
+    /// Continuous angle of a link.
+    Link(LinkId),
+    /// The balancing load, and its magnitude.
+    Balancing,
+    BalancingSize,
+    /// The greatest force of a pin or slide on one of its links; the statistic at the positions is of its square.
+    Force(Joint),
+    /// The magnitude of the moment of a slide.
+    Moment(Joint),
+    /// A column of the results as it is.
+    Plain(Column),
 }
 
-/// A column of the positions that is measured as it is.
-#[derive(Debug, Clone)]
-pub(crate) struct Plain {
-    /// Its key in the JSON of a position.
-    pub(crate) key: &'static str,
-    /// The names of its least and greatest value, its mean and its root mean square.
-    pub(crate) names: [String; 4],
-    /// The number of its statistic.
-    pub(crate) first: usize,
+/// What a sweep writes of each point; the same at every point.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Layout {
+    /// The columns of the measures.
+    pub(crate) values: Vec<Value>,
+    /// What has a statistic, each once.
+    pub(crate) gathered: Vec<Gathered>,
+    /// Places from which a point's distance is measured: the number of the point among those that are wanted, its name, and the
+    /// place, m.
+    pub(crate) targets: Vec<(usize, String, [f64; 2])>,
+    /// The force analyzer, where forces are calculated.
+    pub(crate) analyzer: Option<&'static str>,
+    /// Whether a motor is chosen or given.
+    pub(crate) has_motor: bool,
 }
 
-/// Something with its name in the scene.
-#[derive(Debug, Clone)]
-pub(crate) struct Named<T> {
-    pub(crate) name: String,
-    pub(crate) id: T,
-    /// The number of its first statistic.
-    pub(crate) first: usize,
-    /// Whether a parameter can change it.
-    pub(crate) reached: bool,
-}
-
-/// A motion that is found.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Sought {
-    /// The periodic regime.
-    Steady { flywheel: bool, motor: bool, torque: bool },
-    /// From an initial state.
-    Transient,
-}
-
-/// Units that depend on the input and the balancing load, as ends of column names.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Units {
-    pub(crate) coordinate: &'static str,
-    pub(crate) speed: &'static str,
-    pub(crate) balancing: &'static str,
+/// Collects the columns of measures.
+pub(crate) struct Builder<'a> {
+    pub(crate) mechanism: &'a Mechanism,
+    /// The names of the parts.
+    pub(crate) schema: Schema,
+    /// The columns of the results, where a measure has them as they are.
+    pub(crate) results: Option<Arc<Schema>>,
+    pub(crate) wanted: Wanted,
+    /// Whether a balancing load is found at the positions.
+    pub(crate) balances: bool,
+    /// Whether there is a group.
+    has_groups: bool,
+    /// Pins and slides whose reactions are found.
+    joints: Vec<Joint>,
+    reach: Reach,
+    /// Whether columns that no parameter can change are written too.
+    whole: bool,
+    pub(crate) layout: Layout,
 }
 
 impl Layout {
-    /// The layout for a mechanism; it is empty where the mechanism can't be decomposed into groups.
-    pub(crate) fn of(mechanism: &Mechanism, options: &Options) -> Self {
-        let (coordinate, speed) =
-            if mechanism.input.is_angle() { ("rad", "rad_per_s") } else { ("m", "m_per_s") };
-        let balancing = if mechanism.balances_by_moment() { "Nm" } else { "N" };
-        let mut layout = Self {
-            groups: false,
-            balancing: false,
+    /// What `measures` write of a mechanism.
+    ///
+    /// # Errors
+    ///
+    /// [`SweepError::Request`] for a target that is no point of the results.
+    pub(crate) fn of(
+        mechanism: &Mechanism,
+        options: &Options,
+        reach: Reach,
+        (measures, targets): (&[Measure], &[Target]),
+    ) -> Result<Self, SweepError> {
+        let mut to = Builder::of(mechanism, options, reach);
+        let points = to.wanted.points.iter();
+        let names: Vec<_> = points.map(|(id, _)| to.schema.name(Owner::Point(*id)).into_owned()).collect();
+        let aimed = |target: &Target| {
+            let unknown = || text!("sweep-no-point", points = list(names.iter().cloned().map(name)));
+            let point = names.iter().position(|name| *name == target.point);
+            let point = point.ok_or_else(|| SweepError::vary(&target.text, unknown()))?;
+            Ok::<_, SweepError>((point, target.point.clone(), target.at))
+        };
+        to.layout.targets = targets.iter().map(aimed).collect::<Result<_, _>>()?;
+        if measures.iter().any(|measure| measure.put.is_none()) {
+            let found = Calculation::of(mechanism.clone(), options, &mut unwatched);
+            to.results = found.ok().map(|found| found.columns());
+        }
+        for measure in measures {
+            to.whole = measure.whole;
+            measure.columns(&mut to);
+        }
+        Ok(to.layout)
+    }
+}
+
+impl<'a> Builder<'a> {
+    /// No columns yet; there is little to measure where the mechanism can't be decomposed into groups.
+    fn of(mechanism: &'a Mechanism, options: &Options, reach: Reach) -> Self {
+        let mut to = Self {
+            mechanism,
+            schema: Schema::new(mechanism),
+            results: None,
+            wanted: Wanted::default(),
+            balances: false,
+            has_groups: false,
             joints: Vec::new(),
-            points: Vec::new(),
-            slides: Vec::new(),
-            links: Vec::new(),
-            targets: Vec::new(),
-            friction: !mechanism.frictions.is_empty(),
-            analyzer: None,
-            motion: sought(mechanism),
-            units: Units { coordinate, speed, balancing },
-            plain: Vec::new(),
-            gathered: Vec::new(),
-            places: 0,
+            reach,
+            whole: false,
+            layout: Layout::default(),
         };
-        let Ok(structure) = decompose(mechanism) else { return layout };
+        let torque = mechanism.drive.as_ref().map(|drive| &drive.torque);
+        to.layout.has_motor =
+            matches!((&mechanism.motion, torque), (Some(Motion::Steady { .. }), Some(Torque::Motor { .. })));
+        let Ok(structure) = decompose(mechanism) else { return to };
         let plan = plan(mechanism, &structure, options);
-        let wanted = plan.wanted;
-        layout.groups = plan.groups_needed.contains(&true);
-        layout.balancing = plan.forces && layout.motion != Some(Sought::Transient);
-        let analyzer = assur_force::choose(
-            options.analyzer.as_deref(),
-            !mechanism.frictions.is_empty(),
-            !structure.passive.is_empty(),
-        );
+        to.has_groups = plan.groups_needed.contains(&true);
+        to.balances = plan.forces && !matches!(mechanism.motion, Some(Motion::Transient { .. }));
+        let has_friction = !mechanism.frictions.is_empty();
+        let analyzer =
+            assur_force::choose(options.analyzer.as_deref(), has_friction, !structure.passive.is_empty());
         let analyzer = analyzer.ok().filter(|_| plan.forces);
-        layout.analyzer = analyzer.map(|plugin| plugin.name);
-        if layout.balancing && analyzer.is_some_and(|plugin| plugin.gives_reactions) {
-            let joints = joints(mechanism, &structure).into_iter();
-            let joints = joints.filter(|joint| wanted.reactions.contains(&joint.id));
-            layout.joints = named(joints, |joint| name_of(mechanism, joint.id));
+        to.layout.analyzer = analyzer.map(|plugin| plugin.name);
+        if to.balances && analyzer.is_some_and(|plugin| plugin.gives_reactions) {
+            to.joints = joints(mechanism, &structure);
+            to.joints.retain(|joint| plan.wanted.reactions.contains(&joint.id));
         }
-        let points = wanted.points.into_iter().map(|(id, place)| (id, place.link));
-        layout.points = named(points, |(id, _)| &mechanism.points[*id].name);
-        layout.slides = named(wanted.slides.into_iter(), |id| &mechanism.slides[*id].name);
-        layout.links = named(wanted.links.into_iter(), |id| &mechanism.links[*id].name);
-        layout.number();
-        layout
+        to.wanted = plan.wanted;
+        to
     }
 
-    /// Numbers the statistics.
-    fn number(&mut self) {
-        let Self { gathered, points, slides, links, joints, places, .. } = self;
-        gathered.extend([Gathered::Health, Gathered::Transmission]);
-        let mut place = |owner, first: &mut usize| {
-            *first = gathered.len();
-            let column = Column::of(Quantity::Transfer(0), owner);
-            let is_vector = matches!(owner, Owner::Point(_));
-            let parts = if is_vector { &[Part::X, Part::Y][..] } else { &[Part::Whole] };
-            gathered.extend(parts.iter().map(|part| Gathered::Column(column.part(*part))));
-        };
-        for point in points {
-            place(Owner::Point(point.id.0), &mut point.first);
-        }
-        for slide in slides {
-            place(Owner::Slide(slide.id), &mut slide.first);
-        }
-        for link in links {
-            place(Owner::Link(link.id), &mut link.first);
-        }
-        *places = gathered.len();
-        gathered.extend([Gathered::Column(Column::BALANCING), Gathered::Size(Column::BALANCING)]);
-        for joint in joints {
-            joint.first = gathered.len();
-            // The forces on two links are opposite.
-            let ends = if joint.id.links.len() == 2 { 1 } else { joint.id.links.len() };
-            let force = |link: &LinkId| Column::of(Quantity::Force, Owner::PairOn(joint.id.id, *link));
-            let forces = joint.id.links[..ends].iter().map(|link| force(link).part(Part::Modulus));
-            let moment = Gathered::Size(Column::of(Quantity::Moment, Owner::Pair(joint.id.id)));
-            gathered
-                .extend(once(Gathered::Force(forces.collect())).chain(joint.is_slide().then_some(moment)));
-        }
+    /// Whether there is a group whose positions are of interest.
+    pub(crate) fn has_groups(&self) -> bool {
+        self.has_groups && (self.whole || self.reach.moves_anything())
     }
 
-    /// Adds the columns of the positions under some keys of the JSON.
-    pub(crate) fn add_plain(&mut self, calculation: &Calculation, keys: &[&'static str]) {
-        let schema = calculation.columns();
-        for column in schema.columns() {
-            let path = catalogue::path(&schema, *column).unwrap_or_default();
-            let is_at = |key: &&&str| path.first().is_some_and(|step| *step == PathStep::Key((**key).into()));
-            let Some(key) = keys.iter().find(is_at) else { continue };
-            let name = |word| catalogue::csv_of(&schema, *column, word).unwrap_or_default();
-            let names = ["min", "max", "mean", "rms"].map(name);
-            if names[0].is_empty() {
-                continue;
-            }
-            self.plain.push(Plain { key, names, first: self.gathered.len() });
-            self.gathered.push(Gathered::Column(*column));
-        }
+    /// Whether the number of a part is of interest.
+    pub(crate) fn has(&self, owner: Owner) -> bool {
+        self.whole || self.reach.has(owner, self.mechanism)
     }
 
-    /// Adds places from which the distance of a point is measured.
-    pub(crate) fn aim(&mut self, targets: &[Target]) -> Result<(), SweepError> {
-        for target in targets {
-            let Some(point) = self.points.iter().position(|point| point.name == target.point) else {
-                let points = list(self.points.iter().map(|point| name(point.name.clone())));
-                return Err(SweepError::vary(&target.text, text!("sweep-no-point", points = points)));
-            };
-            self.targets.push((point, target.at));
-        }
-        Ok(())
+    /// The pins and slides whose reactions are found and of interest.
+    pub(crate) fn joints(&self) -> Vec<Joint> {
+        let all = self.joints.iter().filter(|joint| self.has(Owner::Pair(joint.id)));
+        all.cloned().collect()
     }
 
-    /// The same with what parameters can change marked; without groups where they can't change a place.
-    pub(crate) fn reached(&self, reach: &Reach, mechanism: &Mechanism) -> Self {
-        let mut layout = self.clone();
-        layout.groups &= reach.moves_anything();
-        layout.joints.iter_mut().for_each(|joint| joint.reached = reach.pair(joint.id.id, mechanism));
-        layout.points.iter_mut().for_each(|point| point.reached = reach.point(point.id.0, mechanism));
-        layout.slides.iter_mut().for_each(|slide| slide.reached = reach.slide(slide.id, mechanism));
-        layout.links.iter_mut().for_each(|link| link.reached = reach.link(link.id));
-        layout
+    /// The unit of a quantity.
+    pub(crate) fn unit(&self, quantity: Quantity, owner: Owner) -> Unit {
+        unit(&self.schema, Column::of(quantity, owner))
     }
 
-    /// Whether a motor is chosen or given.
-    pub(crate) fn has_motor(&self) -> bool {
-        matches!(self.motion, Some(Sought::Steady { motor: true, .. }))
+    /// The unit of the coordinate of the input.
+    pub(crate) fn coordinate(&self) -> Unit {
+        self.unit(Quantity::Transfer(0), Owner::Input)
+    }
+
+    /// Adds a column, whose name ends with its unit.
+    pub(crate) fn put(&mut self, name: &str, unit: Unit, of: usize, find: Find) {
+        let suffix = unit.suffix();
+        let name = if suffix.is_empty() { name.to_owned() } else { format!("{name}_{suffix}") };
+        self.layout.values.push(Value { name, of, find });
+    }
+
+    /// The number of a statistic.
+    pub(crate) fn gather(&mut self, what: Gathered) -> usize {
+        let gathered = &mut self.layout.gathered;
+        gathered.iter().position(|known| *known == what).unwrap_or_else(|| {
+            gathered.push(what);
+            gathered.len() - 1
+        })
+    }
+
+    /// Points, then slides, then links: what has a course.
+    pub(crate) fn parts(&self) -> Vec<Owner> {
+        let Wanted { points, slides, links, .. } = &self.wanted;
+        let points = points.iter().map(|(point, _)| Owner::Point(*point));
+        let slides = slides.iter().map(|slide| Owner::Slide(*slide));
+        points.chain(slides).chain(links.iter().map(|link| Owner::Link(*link))).collect()
     }
 }
 
-impl Named<Joint> {
-    pub(crate) fn is_slide(&self) -> bool {
-        matches!(self.id.id, PairId::Slide(_))
+impl Gathered {
+    /// Whether it is the same under all loads.
+    pub(crate) fn is_of_places(&self) -> bool {
+        matches!(self, Self::Health | Self::Transmission | Self::Point(..) | Self::Slide(_) | Self::Link(_))
     }
 }
 
-fn named<'m, T>(ids: impl Iterator<Item = T>, name: impl Fn(&T) -> &'m str) -> Vec<Named<T>> {
-    ids.map(|id| Named { name: name(&id).to_owned(), id, first: 0, reached: true }).collect()
-}
-
-fn sought(mechanism: &Mechanism) -> Option<Sought> {
-    let drive = mechanism.drive.as_ref();
-    let torque = drive.map(|drive| &drive.torque);
-    match mechanism.motion.as_ref()? {
-        Motion::Prescribed { .. } => None,
-        Motion::Transient { .. } => Some(Sought::Transient),
-        Motion::Steady { .. } => Some(Sought::Steady {
-            flywheel: drive.is_some_and(|drive| drive.flywheel.is_some()),
-            motor: matches!(torque, Some(Torque::Motor { .. })),
-            torque: matches!(torque, Some(Torque::Balance | Torque::Constant(_))),
-        }),
-    }
+/// How many links of a pin or slide are looked at for its greatest force: the forces on two links are opposite.
+pub(crate) fn ends(joint: &Joint) -> usize {
+    if joint.links.len() == 2 { 1 } else { joint.links.len() }
 }

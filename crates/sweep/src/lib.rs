@@ -29,9 +29,11 @@
 mod angles;
 mod axis;
 mod between;
+mod columns;
 mod error;
 mod layout;
 mod measure;
+mod measured;
 mod origin;
 mod point;
 mod points;

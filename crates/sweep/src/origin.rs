@@ -20,8 +20,7 @@ impl Sweep {
             let of = self.axes.iter().zip(self.ranges()).filter(|(axis, _)| axis.follows.is_some() == tied);
             of.map(|(_, range)| range).collect::<Vec<_>>().join("\n")
         };
-        let place =
-            |(point, [x, y]): &(usize, [f64; 2])| format!("{}={x} m,{y} m", self.layout.points[*point].name);
+        let place = |(_, point, [x, y]): &(usize, String, [f64; 2])| format!("{point}={x} m,{y} m");
         let sample = match self.points {
             Points::Sample { count, seed } => [count.to_string(), seed.to_string()],
             Points::Grid => Default::default(),

@@ -8,17 +8,15 @@ use assur_group::Order;
 use assur_mechanism::Mechanism;
 use assur_words::{Describe, name, number, text};
 
-use crate::angles::Angles;
-use crate::measure::{Measured, Sink};
+use crate::measured::Measured;
 use crate::positions::{Memory, Positions};
-use crate::rows::{Failure, Outcome, Rows};
+use crate::rows::{Failure, Rows};
 use crate::{Status, Sweep};
 
 /// Calculates points; keeps its memory from one to the next.
 pub(crate) struct Worker<'a> {
     pub(crate) sweep: &'a Sweep,
     pub(crate) found: Measured,
-    pub(crate) angles: Angles,
     /// Parameters in the units of their ranges, and in SI.
     numbers: Vec<f64>,
     parameters: Vec<f64>,
@@ -37,7 +35,6 @@ impl<'a> Worker<'a> {
         Self {
             sweep,
             found: Measured::new(&sweep.layout),
-            angles: Angles::default(),
             numbers: parameters.clone(),
             parameters,
             values: Vec::new(),
@@ -55,8 +52,8 @@ impl<'a> Worker<'a> {
     }
 
     fn add(&mut self, index: usize, rows: &mut Rows) {
-        let outcome = Outcome::from(self.calculate(index));
-        rows.push(&self.parameters, &self.values, outcome);
+        let ended = self.calculate(index);
+        rows.push(&self.parameters, &self.values, ended);
     }
 
     /// Calculates a point and puts its values in order; returns the designation of its motor.
@@ -78,16 +75,15 @@ impl<'a> Worker<'a> {
                 found.motor.as_ref().map(|motor| motor.motor.designation.clone().unwrap_or_default());
             self.found.steady = Some(found);
         }
-        let mut wrong = None;
-        let mut sink = Sink::Values(&mut self.values, &mut wrong);
-        for measure in &self.sweep.measures {
-            measure.put(self.sweep.layout_of(measure), &self.found, &mut sink);
-        }
-        if let Some(value) = wrong {
-            self.values.clear();
-            let column = name(self.sweep.columns.value_name(value).to_owned());
-            let message = text!("sweep-not-finite", column = column);
-            return Err(Failure { status: Status::Error, message, failed: Some(0) });
+        for value in &self.sweep.layout.values {
+            let number = (value.find)(&self.found, value.of);
+            if number.is_some_and(|number| !number.is_finite()) {
+                let column = name(self.sweep.columns.value_name(self.values.len()).to_owned());
+                self.values.clear();
+                let message = text!("sweep-not-finite", column = column);
+                return Err(Failure { status: Status::Error, message, failed: Some(0) });
+            }
+            self.values.push(number.unwrap_or(f64::NAN));
         }
         Ok(designation)
     }

@@ -1,18 +1,22 @@
 //! The positions of one point of a sweep, eight at once.
 
 use assur_analysis::Calculation;
+use assur_analysis::plan::Wanted;
+use assur_analysis::results::Part;
 use assur_force::{ForceError, Joint, Kinetostatics, LaneKinetostatics};
 use assur_geometry::{courses, distances};
 use assur_group::plane::{dot, vector};
-use assur_group::{Body, GroupError, Wrench};
-use assur_kinematics::{LanePosition, Position, PositionError, ScalarMotion};
+use assur_group::{GroupError, Wrench};
+use assur_kinematics::{LanePosition, PositionError, ScalarMotion};
 use assur_mechanism::Motion;
 use assur_number::{Lanes, Real};
 use assur_shaking::shaking_size;
 use assur_words::{Describe, Text, number, quantity, text};
 
 use crate::Status;
-use crate::measure::{HEALTH, Need, TRANSMISSION};
+use crate::between::PartCourse;
+use crate::layout::{Gathered, ends};
+use crate::measure::Need;
 use crate::point::Worker;
 use crate::rows::Failure;
 
@@ -25,8 +29,6 @@ const MOST_KEPT: usize = 64;
 pub(crate) struct Memory {
     /// Eight positions each; where there are too many to keep, one for each in turn.
     blocks: Vec<LanePosition>,
-    /// For what is done lane by lane.
-    single: Option<Position>,
     /// Whether the blocks hold all positions of the mechanism.
     holds_all: bool,
 }
@@ -42,8 +44,6 @@ impl Memory {
 pub(crate) struct Positions<'a, 'w> {
     calculation: &'a Calculation,
     worker: &'a mut Worker<'w>,
-    /// For what is done lane by lane.
-    single: Position,
     forces: Option<LaneKinetostatics<'a>>,
     /// The first failure.
     failure: Option<(Status, Text)>,
@@ -60,8 +60,7 @@ impl<'a, 'w> Positions<'a, 'w> {
             }
             _ => None,
         };
-        let single = worker.memory.single.take().unwrap_or_else(|| linkage.position());
-        Self { calculation, worker, single, forces, failure: None, failed: 0 }
+        Self { calculation, worker, forces, failure: None, failed: 0 }
     }
 
     /// Calculates every position.
@@ -69,9 +68,8 @@ impl<'a, 'w> Positions<'a, 'w> {
         let Calculation { linkage, no_motion, .. } = self.calculation;
         let positions = linkage.mechanism.input.positions;
         let layout = &self.worker.sweep.layout;
-        let Memory { mut blocks, holds_all, .. } = std::mem::take(&mut self.worker.memory);
+        let Memory { mut blocks, holds_all } = std::mem::take(&mut self.worker.memory);
         if !holds_all {
-            self.worker.angles.clear();
             self.worker.found.clear_positions(layout);
             self.worker.found.input = Some(linkage.mechanism.input.clone());
         }
@@ -91,7 +89,6 @@ impl<'a, 'w> Positions<'a, 'w> {
                     solved.valid[*lane] = false;
                 }
                 all_solved &= failures.is_empty();
-                self.health(&solved, &blocks[position]);
                 self.places(&solved, &blocks[position]);
             }
             for (lane, error) in self.forces(&solved, &blocks[position]) {
@@ -104,7 +101,7 @@ impl<'a, 'w> Positions<'a, 'w> {
         if self.wants(Need::Friction) {
             self.worker.found.friction = self.calculation.friction_cycle();
         }
-        self.worker.memory = Memory { blocks, single: Some(self.single), holds_all: all_solved };
+        self.worker.memory = Memory { blocks, holds_all: all_solved };
         match (self.failure, no_motion) {
             (Some((status, message)), _) => Err(Failure { status, message, failed: Some(self.failed) }),
             (None, Some(error)) => {
@@ -154,15 +151,14 @@ impl<'a, 'w> Positions<'a, 'w> {
     /// What is found between positions; the motion, where it is not that of the point before.
     fn between(&mut self, moved: bool) {
         let (linkage, layout) = (&self.calculation.linkage, &self.worker.sweep.layout);
+        let Wanted { links, slides, points, .. } = &self.calculation.plan.wanted;
         if moved && self.wants(Need::Courses) {
-            let (links, slides) =
-                (layout.links.iter().map(|link| link.id), layout.slides.iter().map(|slide| slide.id));
-            let points = layout.points.iter().map(|point| point.id.0);
-            self.worker.found.courses = courses(linkage, links, slides, points).ok();
+            let (links, slides) = (links.iter().copied(), slides.iter().copied());
+            let found = courses(linkage, links, slides, points.iter().map(|(point, _)| *point));
+            self.worker.found.courses = found.as_ref().map(PartCourse::each).unwrap_or_default();
         }
         if moved && !layout.targets.is_empty() && self.wants(Need::Distances) {
-            let wanted = &self.calculation.plan.wanted.points;
-            let targets = layout.targets.iter().map(|(point, from)| (wanted[*point].1, *from));
+            let targets = layout.targets.iter().map(|(point, _, from)| (points[*point].1, *from));
             self.worker.found.distances = distances(linkage, targets).unwrap_or_default();
         }
         self.worker.found.speed = match linkage.mechanism.motion {
@@ -175,50 +171,40 @@ impl<'a, 'w> Positions<'a, 'w> {
         }
     }
 
-    fn health(&mut self, block: &Block, position: &LanePosition) {
-        let Calculation { linkage, plan, .. } = self.calculation;
-        let needed = || plan.groups_needed.iter().enumerate().filter(|(_, needed)| **needed);
-        if needed().next().is_none() {
-            return;
-        }
-        let healths = needed().map(|(group, _)| position.health[group].abs());
-        let least = healths.fold(Lanes::from_f64(f64::INFINITY), lesser);
-        self.worker.found.statistics[HEALTH].add(block.valid, block.first, least);
-        if self.worker.sweep.asked[TRANSMISSION] {
-            let least = Lanes::of(|lane| {
-                position.copy_lane(lane, &mut self.single);
-                let of_group = |group: usize| {
-                    let found = &linkage.structure.groups[group];
-                    let health = self.single.health[group].abs();
-                    found.plugin.force_angle.transmission(&found.frame, &self.single.bodies, health)
-                };
-                needed().map(|(group, _)| of_group(group)).fold(f64::INFINITY, f64::min)
-            });
-            self.worker.found.statistics[TRANSMISSION].add(block.valid, block.first, least);
-        }
-    }
-
+    /// Adds what is the same under all loads.
     fn places(&mut self, block: &Block, position: &LanePosition) {
         let Calculation { linkage, plan, .. } = self.calculation;
         let (found, layout) = (&mut self.worker.found, &self.worker.sweep.layout);
-        let bodies = &position.bodies;
-        let mut add = |number: usize, values| found.statistics[number].add(block.valid, block.first, values);
-        for ((_, place), point) in plan.wanted.points.iter().zip(&layout.points) {
-            let [x, y] = bodies[place.link].point(vector(place.at));
-            add(point.first, x);
-            add(point.first + 1, y);
-        }
-        for slide in &layout.slides {
-            add(slide.first, ScalarMotion::of_slide(&linkage.mechanism.slides[slide.id], bodies).pf0);
-        }
-        let angles = layout.links.iter().any(|link| self.worker.sweep.asked[link.first]);
-        for lane in (0..Lanes::WIDTH).filter(|&lane| angles && block.valid[lane]) {
-            let pose = |body: &Body<Lanes>| [body.c, body.s, body.w1].map(|number| number.0[lane]);
-            let poses = layout.links.iter().map(|link| (link.id, pose(&bodies[link.id])));
-            let angles = self.worker.angles.follow(linkage, position.coordinates.0[lane], poses);
-            for ([angle, _], link) in angles.iter().zip(&layout.links) {
-                found.statistics[link.first].push(block.first + lane, *angle);
-            }
+        let (bodies, slides) = (&position.bodies, &linkage.mechanism.slides);
+        let needed = || (0..plan.groups_needed.len()).filter(|group| plan.groups_needed[*group]);
+        let (has_groups, mut single) = (needed().next().is_some(), None);
+        let statistics = found.statistics.iter_mut().zip(&mut found.angles);
+        for (of, (statistic, angle)) in layout.gathered.iter().zip(statistics) {
+            let values = match of {
+                Gathered::Health if has_groups => {
+                    let each = needed().map(|group| position.health[group].abs());
+                    each.fold(Lanes::from_f64(f64::INFINITY), lesser)
+                }
+                Gathered::Transmission if has_groups => Lanes::of(|lane| {
+                    let single = single.get_or_insert_with(|| linkage.position());
+                    position.copy_lane(lane, single);
+                    let of_group = |group: usize| {
+                        let found = &linkage.structure.groups[group];
+                        let health = single.health[group].abs();
+                        found.plugin.force_angle.transmission(&found.frame, &single.bodies, health)
+                    };
+                    needed().map(of_group).fold(f64::INFINITY, f64::min)
+                }),
+                Gathered::Point(nth, of) => {
+                    let place = plan.wanted.points[*nth].1;
+                    let [x, y] = bodies[place.link].point(vector(place.at));
+                    if of.part == Part::X { x } else { y }
+                }
+                Gathered::Slide(slide) => ScalarMotion::of_slide(&slides[*slide], bodies).pf0,
+                Gathered::Link(link) => angle.follow((linkage, *link), position, block.valid),
+                _ => continue,
+            };
+            statistic.add(block.valid, block.first, values);
         }
     }
 
@@ -232,27 +218,36 @@ impl<'a, 'w> Positions<'a, 'w> {
         for (lane, _) in &failures {
             valid[*lane] = false;
         }
-        let (statistics, layout) = (&mut self.worker.found.statistics, &self.worker.sweep.layout);
-        let (reactions, first, load) = (&forces.reactions, block.first, layout.places);
-        statistics[load].add(valid, first, reactions.balancing);
-        statistics[load + 1].add(valid, first, reactions.balancing.abs());
-        for named in &layout.joints {
-            let joint = &named.id;
+        let gathered = &self.worker.sweep.layout.gathered;
+        let (reactions, first, statistics) =
+            (&forces.reactions, block.first, &mut self.worker.found.statistics);
+        for (of, statistic) in gathered.iter().zip(&mut *statistics) {
             // Beside passive parts what is not determined has no greatest value.
-            let open = joint.open(&reactions.open).iter().fold(Lanes::ZERO, |all, open| all + *open);
-            let valid = std::array::from_fn(|lane| valid[lane] && open.0[lane] == 0.0);
-            statistics[named.first].add(valid, first, greatest_square(joint, &reactions.pairs));
-            if let Some(size) = joint.moment(&reactions.pairs) {
-                statistics[named.first + 1].add(valid, first, size.abs());
-            }
+            let determined = |joint: &Joint| {
+                let open = joint.open(&reactions.open).iter().fold(Lanes::ZERO, |all, open| all + *open);
+                std::array::from_fn(|lane| valid[lane] && open.0[lane] == 0.0)
+            };
+            let (valid, values) = match of {
+                Gathered::Balancing => (valid, reactions.balancing),
+                Gathered::BalancingSize => (valid, reactions.balancing.abs()),
+                Gathered::Force(joint) => (determined(joint), greatest_square(joint, &reactions.pairs)),
+                Gathered::Moment(joint) => {
+                    (determined(joint), joint.moment(&reactions.pairs).unwrap_or(Lanes::ZERO).abs())
+                }
+                _ => continue,
+            };
+            statistic.add(valid, first, values);
         }
         failures.retain(|(lane, error)| {
             let change_point = matches!(error, ForceError::ChangePoint(_));
             let state = &states[*lane];
             let alone = change_point.then(|| forces.balancing_alone(*lane, state, position)).flatten();
-            if let Some(balancing) = alone {
-                statistics[load].push(first + lane, balancing);
-                statistics[load + 1].push(first + lane, balancing.abs());
+            for (of, statistic) in gathered.iter().zip(&mut *statistics) {
+                match (of, alone) {
+                    (Gathered::Balancing, Some(load)) => statistic.push(first + lane, load),
+                    (Gathered::BalancingSize, Some(load)) => statistic.push(first + lane, load.abs()),
+                    _ => {}
+                }
             }
             !change_point
         });
@@ -285,8 +280,7 @@ fn lesser(a: Lanes, b: Lanes) -> Lanes {
 
 /// Square of the greatest force of a joint on one of its links, N². The forces on two links are opposite.
 fn greatest_square(joint: &Joint, pairs: &[Wrench<Lanes>]) -> Lanes {
-    let ends = if joint.links.len() == 2 { 0..1 } else { 0..joint.links.len() };
-    let squares = ends.map(|end| {
+    let squares = (0..ends(joint)).map(|end| {
         let force = joint.force(end, pairs);
         dot(force, force)
     });

@@ -1,8 +1,9 @@
 //! Dependency analysis by structure: which positions and reactions the parameters of a sweep can affect. A link moves differently if a length of its group or
 //! of a group solved before it changes, and a reaction changes with the motion or with a load that reaches it.
 
+use assur_analysis::results::Owner;
 use assur_kinematics::decompose;
-use assur_mechanism::{GROUND, LinkId, Mechanism, Motion, PairId, Place, PointId, SlideId};
+use assur_mechanism::{GROUND, LinkId, Mechanism, Motion, PairId, Place};
 use assur_structure::Structure;
 
 use crate::axis::Axis;
@@ -154,30 +155,30 @@ impl Reach {
         self.everywhere || self.places.contains(&true)
     }
 
-    pub(crate) fn link(&self, link: LinkId) -> bool {
-        self.everywhere || self.places[link]
-    }
-
-    pub(crate) fn point(&self, point: PointId, mechanism: &Mechanism) -> bool {
-        let carrier = self.first(&mechanism.points[point].places).filter(|link| *link != GROUND);
-        self.points[point] || carrier.is_some_and(|link| self.link(link))
-    }
-
-    pub(crate) fn slide(&self, slide: SlideId, mechanism: &Mechanism) -> bool {
-        let slide = &mechanism.slides[slide];
-        self.link(slide.link) || self.link(slide.on)
-    }
-
-    /// Whether the reaction of a pair changes: that of the input link with every load, those of a group with the loads on it and
-    /// on the groups placed after it. A pair belongs to the groups that are placed after its first link.
-    pub(crate) fn pair(&self, pair: PairId, mechanism: &Mechanism) -> bool {
-        let links: Vec<LinkId> = match pair {
+    /// Whether a number of a point, link, slide or pair changes. The reaction of a pair of the input link changes with every load, those
+    /// of a group with the loads on it and on the groups placed after it; a pair belongs to the groups that are placed after its first
+    /// link.
+    pub(crate) fn has(&self, owner: Owner, mechanism: &Mechanism) -> bool {
+        let moves = |link: LinkId| self.everywhere || self.places[link];
+        let links = |pair| match pair {
             PairId::Pin(point) => mechanism.points[point].places.iter().map(|place| place.link).collect(),
             PairId::Slide(slide) => vec![mechanism.slides[slide].link, mechanism.slides[slide].on],
         };
-        let mut stages: Vec<usize> = links.iter().map(|link| self.stage[*link]).collect();
-        stages.sort_unstable();
-        let mut felt = self.forces.iter().zip(&self.stage).filter(|(_, own)| stages[1..].contains(own));
-        self.all_forces || self.moves_anything() || felt.any(|(felt, _)| *felt)
+        match owner {
+            Owner::Point(point) => {
+                let carrier = self.first(&mechanism.points[point].places).filter(|link| *link != GROUND);
+                self.points[point] || carrier.is_some_and(moves)
+            }
+            Owner::Link(link) => moves(link),
+            Owner::Slide(slide) => links(PairId::Slide(slide)).into_iter().any(moves),
+            Owner::Pair(pair) => {
+                let mut stages: Vec<usize> = links(pair).into_iter().map(|link| self.stage[link]).collect();
+                stages.sort_unstable();
+                let mut felt =
+                    self.forces.iter().zip(&self.stage).filter(|(_, own)| stages[1..].contains(own));
+                self.all_forces || self.moves_anything() || felt.any(|(felt, _)| *felt)
+            }
+            _ => true,
+        }
     }
 }

@@ -38,41 +38,21 @@ impl Status {
     }
 }
 
-/// What a column holds.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Content {
-    /// A number of the row: a parameter or a value.
-    Number(usize),
-    Status,
-    Message,
-    Failed,
-    Motor,
-}
-
-/// The columns of a sweep.
+/// The columns of a sweep: parameters, status, message, failed positions, values, and the motor where there is one.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Columns {
     names: Vec<String>,
-    contents: Vec<Content>,
     parameters: usize,
-    /// Numbers of a row: parameters and values.
-    numbers: usize,
+    has_motor: bool,
 }
 
 impl Columns {
-    pub(crate) fn new(parameters: Vec<String>, values: Vec<String>, motor: bool) -> Self {
-        let (count, numbers) = (parameters.len(), parameters.len() + values.len());
-        let mut names = parameters;
-        let mut contents: Vec<Content> = (0..count).map(Content::Number).collect();
-        names.extend(["status", "message", "failed_positions"].map(str::to_owned));
-        contents.extend([Content::Status, Content::Message, Content::Failed]);
-        names.extend(values);
-        contents.extend((count..numbers).map(Content::Number));
-        if motor {
-            names.push("motor".to_owned());
-            contents.push(Content::Motor);
-        }
-        Self { names: assur_report::csv::unique(names), contents, parameters: count, numbers }
+    pub(crate) fn new(parameters: Vec<String>, values: Vec<String>, has_motor: bool) -> Self {
+        let count = parameters.len();
+        let outcome = ["status", "message", "failed_positions"].map(str::to_owned);
+        let motor = has_motor.then(|| "motor".to_owned());
+        let names = parameters.into_iter().chain(outcome).chain(values).chain(motor);
+        Self { names: assur_report::csv::unique(names), parameters: count, has_motor }
     }
 
     /// Their names.
@@ -82,32 +62,17 @@ impl Columns {
 
     /// Name of a value.
     pub(crate) fn value_name(&self, value: usize) -> &str {
-        let number = Content::Number(self.parameters + value);
-        let at = self.contents.iter().position(|content| *content == number);
-        at.and_then(|at| self.names.get(at)).map_or("", String::as_str)
-    }
-
-    /// Index of the column with the status.
-    pub(crate) fn status(&self) -> usize {
-        self.parameters
+        self.names.get(self.parameters + 3 + value).map_or("", String::as_str)
     }
 
     /// Whether a column holds texts; otherwise numbers.
     pub fn is_text(&self, column: usize) -> bool {
-        matches!(self.contents.get(column), Some(Content::Status | Content::Message | Content::Motor))
+        [self.parameters, self.parameters + 1].contains(&column) || self.is_motor(column)
     }
-}
 
-/// How the calculation of a point ended, without its numbers.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Outcome {
-    pub(crate) status: Status,
-    /// The first failure in words, one line; empty where there is none.
-    pub(crate) message: String,
-    /// Positions without a solution; `None` where none was tried.
-    pub(crate) failed: Option<usize>,
-    /// Designation of the motor.
-    pub(crate) motor: Option<String>,
+    fn is_motor(&self, column: usize) -> bool {
+        self.has_motor && column + 1 == self.names.len()
+    }
 }
 
 /// Why a point has no values.
@@ -120,17 +85,14 @@ pub(crate) struct Failure {
     pub(crate) failed: Option<usize>,
 }
 
-impl From<Result<Option<String>, Failure>> for Outcome {
-    /// Tables are in English, and a cell has one line.
-    fn from(result: Result<Option<String>, Failure>) -> Self {
-        match result {
-            Ok(motor) => Self { status: Status::Ok, message: String::new(), failed: Some(0), motor },
-            Err(Failure { status, message, failed }) => {
-                let message = message.to_string().split_whitespace().collect::<Vec<_>>().join(" ");
-                Self { status, message, failed, motor: None }
-            }
-        }
-    }
+/// The texts of a row, empty where there is none.
+#[derive(Debug, Clone, PartialEq)]
+struct Outcome {
+    status: Status,
+    /// The first failure in words: tables are in English, and a cell has one line.
+    message: String,
+    /// Designation of the motor.
+    motor: String,
 }
 
 /// Rows of successive points of a sweep.
@@ -138,7 +100,7 @@ impl From<Result<Option<String>, Failure>> for Outcome {
 pub struct Rows {
     pub(crate) columns: Arc<Columns>,
     first: usize,
-    /// Parameters and values of the rows, one row after the other; NaN is an empty cell.
+    /// The numbers of all columns, one row after the other; NaN is an empty cell.
     numbers: Vec<f64>,
     outcomes: Vec<Outcome>,
 }
@@ -146,16 +108,33 @@ pub struct Rows {
 impl Rows {
     /// No rows yet; `first`: number of the first point.
     pub(crate) fn new(columns: &Arc<Columns>, first: usize, capacity: usize) -> Self {
-        let numbers = Vec::with_capacity(capacity * columns.numbers);
+        let numbers = Vec::with_capacity(capacity * columns.names.len());
         Self { columns: Arc::clone(columns), first, numbers, outcomes: Vec::with_capacity(capacity) }
     }
 
-    /// Adds a row; missing values are empty cells.
-    pub(crate) fn push(&mut self, parameters: &[f64], values: &[f64], outcome: Outcome) {
+    /// Adds a row with its values and the designation of its motor, or why it has none; missing values are empty cells.
+    pub(crate) fn push(
+        &mut self,
+        parameters: &[f64],
+        values: &[f64],
+        ended: Result<Option<String>, Failure>,
+    ) {
+        let (outcome, failed) = match ended {
+            Ok(motor) => {
+                let motor = motor.unwrap_or_default();
+                (Outcome { status: Status::Ok, message: String::new(), motor }, Some(0))
+            }
+            Err(Failure { status, message, failed }) => {
+                let message = message.to_string().split_whitespace().collect::<Vec<_>>().join(" ");
+                (Outcome { status, message, motor: String::new() }, failed)
+            }
+        };
         self.numbers.extend_from_slice(parameters);
+        // Status and message are texts.
+        self.numbers.extend([0.0, 0.0, failed.map_or(f64::NAN, |count| count as f64)]);
         self.numbers.extend_from_slice(values);
         self.outcomes.push(outcome);
-        self.numbers.resize(self.outcomes.len() * self.columns.numbers, f64::NAN);
+        self.numbers.resize(self.outcomes.len() * self.columns.names.len(), f64::NAN);
     }
 
     /// Adds the rows of the points that follow.
@@ -170,7 +149,7 @@ impl Rows {
         Self {
             columns: Arc::clone(&self.columns),
             first: self.first + at,
-            numbers: self.numbers.split_off(at * self.columns.numbers),
+            numbers: self.numbers.split_off(at * self.columns.names.len()),
             outcomes: self.outcomes.split_off(at),
         }
     }
@@ -207,19 +186,16 @@ impl Rows {
 
     /// One cell; empty outside the table.
     pub fn cell(&self, row: usize, column: usize) -> CsvCell<'_> {
-        let (Some(outcome), Some(content)) = (self.outcomes.get(row), self.columns.contents.get(column))
-        else {
-            return CsvCell::Empty;
-        };
-        match *content {
-            Content::Number(index) => match self.numbers.get(row * self.columns.numbers + index) {
-                Some(value) if value.is_finite() => CsvCell::Number(*value),
+        let (columns, width) = (&self.columns, self.columns.names.len());
+        let (Some(outcome), true) = (self.outcomes.get(row), column < width) else { return CsvCell::Empty };
+        match column.checked_sub(columns.parameters) {
+            Some(0) => CsvCell::Text(outcome.status.text()),
+            Some(1) => text(&outcome.message),
+            _ if columns.is_motor(column) => text(&outcome.motor),
+            _ => match self.numbers[row * width + column] {
+                number if number.is_finite() => CsvCell::Number(number),
                 _ => CsvCell::Empty,
             },
-            Content::Status => CsvCell::Text(outcome.status.text()),
-            Content::Message => text(&outcome.message),
-            Content::Failed => outcome.failed.map_or(CsvCell::Empty, |count| CsvCell::Number(count as f64)),
-            Content::Motor => text(outcome.motor.as_deref().unwrap_or_default()),
         }
     }
 }
@@ -230,10 +206,6 @@ fn text(text: &str) -> CsvCell<'_> {
 
 impl Sweep {
     /// The header row with its line end; `ascii`: no character beyond ASCII.
-    ///
-    /// # Errors
-    ///
-    /// [`CsvError`] if the writer fails.
     pub fn csv_header(&self, ascii: bool) -> Result<String, CsvError> {
         header(self.columns.names(), ascii)
     }
@@ -250,17 +222,13 @@ impl Sweep {
             return None;
         }
         // Parameters are numbers, so there is no quoted comma before the status.
-        row.split(',').nth(self.columns.status())?.parse().ok()
+        row.split(',').nth(self.columns.parameters)?.parse().ok()
     }
 }
 
 impl Rows {
     /// The rows as CSV without a header: comma separated, numbers with all their digits; `ascii`: no character beyond
     /// ASCII. A line end is the end of a row.
-    ///
-    /// # Errors
-    ///
-    /// [`CsvError`] if the writer fails.
     pub fn to_csv(&self, ascii: bool) -> Result<String, CsvError> {
         let row = |row| (0..self.header().len()).map(move |column| self.cell(row, column));
         rows(self.header(), (0..self.len()).map(row), ascii)

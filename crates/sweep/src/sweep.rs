@@ -1,19 +1,18 @@
 //! A scene with its parameters, and the calculation of its points in threads.
 
-use std::cell::Cell;
 use std::num::NonZeroUsize;
 use std::ops::Range;
 use std::sync::mpsc::{Receiver, channel, sync_channel};
 use std::sync::{Arc, Mutex, PoisonError};
 
-use assur_analysis::{Calculation, Options, unwatched};
+use assur_analysis::Options;
 use assur_number::elementary;
 use assur_scene::edit::ParsedText;
 use assur_words::{Describe, Text, list, name, number, text};
 
 use crate::axis::Axis;
 use crate::layout::Layout;
-use crate::measure::{Measure, Measured, Sink};
+use crate::measure::Measure;
 use crate::point::Worker;
 use crate::points::MOST_SAMPLED;
 use crate::reach::Reach;
@@ -80,12 +79,9 @@ pub struct Sweep {
     pub(crate) points: Points,
     pub(crate) variants: Variants,
     pub(crate) layout: Layout,
-    /// The same with what no parameter can change marked.
-    reached: Layout,
     pub(crate) measures: Vec<Measure>,
-    /// Whether extremes and means are found between the positions too, and of what the measures ask for it.
+    /// Whether extremes and means are found between the positions too.
     pub(crate) between: bool,
-    pub(crate) asked: Vec<bool>,
     pub(crate) options: Options,
     pub(crate) columns: Arc<Columns>,
     count: usize,
@@ -125,51 +121,21 @@ impl Sweep {
         }
         let variants = Variants::of(file_name, scene, reading.mechanism, &axes);
         let richest = variants.richest(&axes).unwrap_or_else(|| variants.base().clone());
-        let mut layout = Layout::of(&richest, &options);
-        layout.aim(&targets)?;
-        let plain: Vec<_> = measures.iter().filter(|measure| measure.is_plain).map(|of| of.name).collect();
-        if !plain.is_empty()
-            && let Ok(found) = Calculation::of(richest.clone(), &options, &mut unwatched)
-        {
-            layout.add_plain(&found, &plain);
-        }
+        let reach = Reach::of(&richest, &variants, &axes);
+        let layout = Layout::of(&richest, &options, reach, (&measures, &targets))?;
         let places = richest.points.iter().flat_map(|point| &point.places);
         let size = places.map(|place| elementary::hypot(place.at[0], place.at[1])).fold(0.0, f64::max);
         let of_units = axes.iter().filter_map(|axis| Some((axis.told(axis.from), axis.doubt()?)));
         let doubts = of_units.chain(targets.iter().filter_map(|target| target.doubt(size))).collect();
-        let reached = layout.reached(&Reach::of(&richest, &variants, &axes), &richest);
-        let mut names = Vec::new();
-        let (mut sink, nothing) = (Sink::Names(&mut names), Measured::new(&layout));
-        for measure in &measures {
-            measure.put(if measure.whole { &layout } else { &reached }, &nothing, &mut sink);
-        }
-        let asked = nothing.asked.into_iter().map(Cell::into_inner).collect();
         let parameters = axes.iter().map(|axis| axis.column.clone()).collect();
-        let columns = Arc::new(Columns::new(parameters, names, layout.has_motor()));
-        Ok(Self {
-            axes,
-            points,
-            variants,
-            layout,
-            reached,
-            measures,
-            between,
-            asked,
-            options,
-            columns,
-            count,
-            doubts,
-        })
+        let names = layout.values.iter().map(|value| value.name.clone()).collect();
+        let columns = Arc::new(Columns::new(parameters, names, layout.has_motor));
+        Ok(Self { axes, points, variants, layout, measures, between, options, columns, count, doubts })
     }
 
     /// The columns of its rows.
     pub fn columns(&self) -> &Columns {
         &self.columns
-    }
-
-    /// What a measure has columns of.
-    pub(crate) fn layout_of(&self, measure: &Measure) -> &Layout {
-        if measure.whole { &self.layout } else { &self.reached }
     }
 
     /// The text of the scene.

@@ -33,10 +33,6 @@ impl Variants {
 
     /// The mechanism with these values of the parameters, each in the unit of its range and in SI, by setting numbers
     /// in `scratch`, which was returned by an earlier call, or by reading the text.
-    ///
-    /// # Errors
-    ///
-    /// The faults that the reader of scenes finds.
     pub(crate) fn mechanism(
         &self,
         axes: &[Axis],
@@ -61,20 +57,12 @@ impl Variants {
     }
 
     /// The mechanism with these values of the parameters, each in the unit of its range.
-    ///
-    /// # Errors
-    ///
-    /// The faults that the reader of scenes finds.
     pub(crate) fn at(&self, axes: &[Axis], numbers: &[f64]) -> Result<Mechanism, SceneErrors> {
         let si: Vec<f64> = axes.iter().zip(numbers).map(|(axis, number)| axis.si(*number)).collect();
         self.mechanism(axes, numbers, &si, None)
     }
 
     /// Reads the scene with these values of the parameters, each in the unit of its range.
-    ///
-    /// # Errors
-    ///
-    /// The faults that the reader of scenes finds.
     pub(crate) fn read(&self, axes: &[Axis], numbers: &[f64]) -> Result<Mechanism, SceneErrors> {
         let texts: Vec<String> = axes.iter().zip(numbers).map(|(axis, number)| axis.toml(*number)).collect();
         let edits = axes.iter().zip(&texts);

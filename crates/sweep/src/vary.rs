@@ -30,10 +30,6 @@ pub struct Vary {
 
 impl Vary {
     /// Reads `KEY=FROM..TO:N` for a grid, `KEY=FROM..TO` for a sample.
-    ///
-    /// # Errors
-    ///
-    /// [`SweepError::Request`] where it is written otherwise.
     pub fn parse(text: &str, points: Points) -> Result<Self, SweepError> {
         let fault = |problem: Text| SweepError::vary(text, problem);
         let (key, range) = text.rsplit_once('=').unwrap_or((text, ""));
@@ -64,10 +60,6 @@ pub struct Tie {
 
 impl Tie {
     /// Reads `KEY=KEY` or `KEY=KEY*FACTOR`; the second key is that of the parameter.
-    ///
-    /// # Errors
-    ///
-    /// [`SweepError::Request`] where it is written otherwise.
     pub fn parse(text: &str) -> Result<Self, SweepError> {
         let fault = |problem: Text| SweepError::vary(text, problem);
         let (key, follows) = text.split_once('=').ok_or_else(|| fault(text!("sweep-write-tie")))?;
@@ -109,10 +101,6 @@ pub struct Target {
 
 impl Target {
     /// Reads `POINT=X,Y`, lengths with a unit, or in m.
-    ///
-    /// # Errors
-    ///
-    /// [`SweepError::Request`] where it is written otherwise.
     pub fn parse(text: &str) -> Result<Self, SweepError> {
         let length = |text: &str| assur_scene::quantity(text.trim(), assur_scene::Dimension::Length).ok();
         let read = || {

@@ -38,10 +38,6 @@ pub fn report(
 }
 
 /// What a study found as a page of its topic.
-///
-/// # Errors
-///
-/// [`NotFinite`] for a number that is not finite.
 pub fn page<T: Serialize>(
     found: &T,
     style: Style<'_>,

@@ -42,10 +42,6 @@ pub struct Stability {
 /// singular one.
 ///
 /// `watch` is called before each piece of work with the number of finished pieces and of all pieces; it breaks to stop.
-///
-/// # Errors
-///
-/// Continues with [`CompileError`] if the mechanism can't be decomposed into registered groups.
 pub fn stability(
     mut mechanism: Mechanism,
     watch: &mut dyn FnMut(usize, usize) -> ControlFlow<()>,

@@ -75,13 +75,13 @@ fn a_sweep_between_positions_and_a_report_say_the_same() {
 
 /// The sampled greatest value is below the true one by less than the square of a step.
 #[test]
-#[ignore = "takes minutes"]
 fn what_is_found_between_positions_is_the_limit_of_more_and_more_positions() {
     const DENSE: usize = 2880;
     /// Of a place or an angle that is zero, m or rad: mechanisms have the size of some meters.
     const ROUNDING: f64 = 1e-12;
     let mut compared = 0;
-    for (name, scene, positions) in scenes() {
+    // Forty four-bars have a thousand columns, each of which is searched by itself; two of them have the same kinds.
+    for (name, scene, positions) in scenes().filter(|(name, ..)| *name != "n-four-bar-40") {
         let is_cycle = assur_scene::read(name, scene).unwrap().input.is_cycle();
         let measures = ["default", "balancing-rms", "reaction-rms", "transmission", "extremes"];
         let [found, dense] =

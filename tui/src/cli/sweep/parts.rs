@@ -111,7 +111,7 @@ impl Folder<'_> {
             };
             let left = job.points.len().saturating_sub(all.points);
             let foreign = || self.unfinished.foreign(all.points + 1);
-            let part = FilePart::read(file, job.sweep).ok_or_else(foreign)?;
+            let part = FilePart::read(&file, job.sweep).ok_or_else(foreign)?;
             self.unfinished.compare(&part.origin, &self.origin)?;
             if part.tally.points != left.min(self.rows) {
                 return Err(foreign());

@@ -25,8 +25,8 @@ pub(super) fn stages(
     plan: &Plan,
 ) -> Vec<Text> {
     let all = [
-        (text!("explain-stage-structure"), structure_stage(plan)),
-        (text!("explain-stage-positions"), positions(mechanism, structure, plan)),
+        (text!("explain-stage-structure"), Ok(structure_stage(plan))),
+        (text!("explain-stage-positions"), Ok(positions(mechanism, structure, plan))),
         (text!("explain-stage-transfer"), transfer(structure, plan)),
         (text!("explain-stage-velocities"), velocities(mechanism, plan)),
         (text!("explain-stage-reduction"), reduction(mechanism, plan)),
@@ -50,10 +50,10 @@ fn no_reaction_or(other: Text, mechanism: &Mechanism) -> Stage {
     Err(if asks_for_none { text!("explain-no-reaction-asked") } else { other })
 }
 
-fn structure_stage(plan: &Plan) -> Stage {
+fn structure_stage(plan: &Plan) -> [Text; 2] {
     let method =
         if plan.is_partial() { text!("explain-matching") } else { text!("explain-matching-and-rank") };
-    Ok([text!("explain-structure"), method])
+    [text!("explain-structure"), method]
 }
 
 /// How many groups are solved.
@@ -61,7 +61,7 @@ fn solved(plan: &Plan) -> usize {
     plan.groups_needed.iter().filter(|needed| **needed).count()
 }
 
-fn positions(mechanism: &Mechanism, structure: &Structure, plan: &Plan) -> Stage {
+fn positions(mechanism: &Mechanism, structure: &Structure, plan: &Plan) -> [Text; 2] {
     let left = plan
         .is_partial()
         .then(|| text!("explain-not-solved", groups = others(mechanism, structure, &plan.groups_needed)));
@@ -77,7 +77,7 @@ fn positions(mechanism: &Mechanism, structure: &Structure, plan: &Plan) -> Stage
     let kinds = list(needed.map(|(group, _)| name(group.plugin.name)));
     let method =
         if kinds.is_empty() { text!("explain-input-alone") } else { text!("explain-group-by-group", kinds) };
-    Ok([joined("; ", std::iter::once(reason).chain(left)), method])
+    [joined("; ", std::iter::once(reason).chain(left)), method]
 }
 
 fn transfer(structure: &Structure, plan: &Plan) -> Stage {
