@@ -158,7 +158,7 @@ impl Calculation {
             rows.push(Check::of(text!("analysis-unevenness"), text!("analysis-unevenness.reason"), miss));
         }
         rows.extend(found.motor.as_ref().filter(|_| unevenness == Some(Solve::Wanted)).map(|motor| {
-            let margin = section_margin(regime, &motor.motor.characteristic);
+            let margin = section_margin(regime, &motor.work.characteristic);
             // Without a flywheel the motor may stay well inside.
             let miss = if regime.flywheel_needless { (-margin).max(0.0) } else { margin.abs() };
             let miss = Finding::of(text!("analysis-stable-section"), miss, 1e-8);

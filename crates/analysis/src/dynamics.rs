@@ -2,23 +2,17 @@
 
 use std::f64::consts::TAU;
 
-use assur_dynamics::{Advice, DynamicsError, Regime, RegimeState, SteadyMotor, Transient, advise};
+use assur_dynamics::{Advice, DynamicsError, Regime, RegimeState, Transient, advise};
 use assur_mechanism::{Motion, ReductionPoint, Solve};
-use assur_motor::Motor;
 use assur_words::Describe;
 
-use crate::results::{
-    AdvisedRegime, Dynamics, Energy, EnergyMass, EnergyMassTangent, Integration, MotorAdvice, MotorReport,
-    MotorWork, PointReport, RegimeOverCycle,
-};
+use crate::results::{Dynamics, Energy, EnergyMass, EnergyMassTangent, Integration, RegimeOverCycle};
 use crate::{AnalysisError, Calculation, InputMotion};
 
 /// Intervals over a cycle at which the regime is reported.
 const INTERVALS: u32 = 144;
 /// Motors that are compared by the unevenness that they allow.
 const MOST_ADVICE: usize = 8;
-/// Points of the motor's curves.
-const CURVE: usize = 61;
 
 impl Calculation {
     /// Regime, drive and flywheel; `None` without a steady motion.
@@ -32,7 +26,7 @@ impl Calculation {
         Some(Dynamics {
             flywheel: has_flywheel.then_some(regime.flywheel),
             figures: regime.figures.clone(),
-            motor: found.motor.as_ref().map(motor),
+            motor: found.motor.clone(),
             flywheel_by_method: methods.clone().map(|row| (row.method, row.flywheel)).collect(),
             flywheel_methods: methods.cloned().collect(),
             flywheel_places: found.flywheel_sizes.clone(),
@@ -44,24 +38,16 @@ impl Calculation {
             },
             energy_mass: energy_mass(regime, self.linkage.mechanism.input.from, &course),
             regime: RegimeOverCycle { found: regime.clone(), course },
-            reduction_point: self.reduction_point(),
+            reduction_point: ReductionPoint::farthest(&self.linkage.mechanism),
         })
     }
 
     /// The suitable motors, the best first, at most `most`, each with the greatest unevenness that it allows; and how many
     /// such motors there are.
-    pub fn advice(&self, most: usize) -> Result<(Vec<MotorAdvice>, usize), AnalysisError> {
+    pub fn advice(&self, most: usize) -> Result<(Vec<Advice>, usize), AnalysisError> {
         let no_motion = DynamicsError::NoMotion("steady");
         let loads = self.loads.as_ref().ok_or(no_motion)?;
-        let (found, count) = advise(&self.linkage, loads, most)?;
-        Ok((found.iter().map(advised).collect(), count))
-    }
-
-    /// The point of the input link to which all loads and links are reduced.
-    pub fn reduction_point(&self) -> Option<PointReport> {
-        let mechanism = &self.linkage.mechanism;
-        let found = ReductionPoint::farthest(mechanism)?;
-        Some(PointReport { name: mechanism.named_point(found.point), radius: found.radius })
+        Ok(advise(&self.linkage, loads, most)?)
     }
 
     /// The regime over a cycle, its end included.
@@ -114,61 +100,6 @@ fn energy_mass(regime: &Regime, from: f64, course: &[RegimeState]) -> EnergyMass
             EnergyMassTangent { slope: 0.5 * speed * speed, touches, coordinate }
         }),
         origin: [-regime.drive_inertia, -start],
-    }
-}
-
-fn offered(motor: &Motor, ratio: Option<f64>, regime: Option<AdvisedRegime>) -> MotorAdvice {
-    MotorAdvice {
-        designation: motor.designation.clone(),
-        catalogue: motor.catalogue.clone(),
-        power: motor.rated_power,
-        rated_speed: motor.rated_speed,
-        ratio,
-        mass: motor.mass,
-        regime,
-    }
-}
-
-fn advised(Advice { motor, found }: &Advice) -> MotorAdvice {
-    let regime = found.as_ref().ok().and_then(|found| {
-        let greatest_torque = found.motor.as_ref()?.torque[1];
-        let breakdown = found.motor.as_ref()?.motor.characteristic.breakdown_torque;
-        Some(AdvisedRegime {
-            unevenness: found.regime.figures.unevenness,
-            ratio: found.regime.figures.ratio?,
-            flywheel: found.regime.flywheel,
-            greatest_torque,
-            torque_reserve: breakdown
-                .map(|torque| torque / greatest_torque)
-                .filter(|ratio| ratio.is_finite()),
-        })
-    });
-    offered(motor, None, regime)
-}
-
-fn motor(found: &SteadyMotor) -> MotorReport {
-    let row = found.motor.row;
-    let runners_up = found.motor.runners_up.iter().map(|other| offered(other.motor, Some(other.ratio), None));
-    MotorReport {
-        designation: found.motor.designation.clone().unwrap_or_default(),
-        catalogue: row.map(|row| row.catalogue.clone()),
-        rated: found.motor.rated,
-        mass: row.and_then(|row| row.mass),
-        length: row.and_then(|row| row.length),
-        diameter: row.and_then(|row| row.diameter),
-        work: MotorWork {
-            characteristic: found.motor.characteristic.name(),
-            rated_torque: found.motor.characteristic.rated_torque,
-            breakdown_torque: found.motor.characteristic.breakdown_torque,
-            speed: found.speed,
-            torque: found.torque,
-            rms_torque: found.rms_torque,
-            starting_load: found.starting_load,
-            curve: found.curve([0.0, 1.1 * found.motor.characteristic.synchronous_speed], CURVE),
-            working_section: found.curve(found.speed, CURVE),
-        },
-        runners_up: runners_up.collect(),
-        warnings: found.warnings.iter().map(Describe::describe).collect(),
     }
 }
 

@@ -95,10 +95,10 @@ impl Calculation {
             });
         }
         if let Some(motor) = &found.motor
-            && let (Some(designation), [_, ..]) = (&motor.motor.designation, &*motor.motor.passed_over)
+            && !motor.passed_over.is_empty()
         {
-            let passed = motor.motor.passed_over.iter().map(Describe::describe);
-            let (motor, passed) = (name(designation.clone()), joined("; ", passed));
+            let passed = joined("; ", motor.passed_over.iter().map(Describe::describe));
+            let motor = name(motor.motor.designation.clone());
             notes.push(text!("analysis-motors-passed-over", motor, passed));
         }
         if regime.figures.are_loads_driving(-regime.resistance_work) {

@@ -27,8 +27,8 @@ pub use drive::{Driven, InputDrive, TorqueSource};
 pub use error::DynamicsError;
 pub use instant::{Holding, Instant};
 pub use machine::{Machine, Watcher};
-pub use motor::{DriveMotor, SteadyMotor};
-pub use regime::{Advice, advise, steady};
+pub use motor::{MotorWork, SteadyMotor};
+pub use regime::{Advice, AdvisedRegime, advise, steady};
 pub use scene::{Steady, section_margin};
 pub use steady::{
     CycleRequest, DriveRequest, Effort, Figures, FlywheelByMethod, Iteration, Regime, RegimeSolver,

@@ -1,44 +1,53 @@
 //! The motor of a scene: given by its data, looked up, or chosen (S stage 5); and how it works in a steady regime.
 
+use std::borrow::Cow;
+
 use assur_mechanism::{MotorChoice, Torque};
 use assur_motor::{
-    Candidate, Characteristic, CharacteristicKind, Motor, MotorFilter, MotorWarning, PassedOver, RatedMotor,
+    Candidate, Characteristic, CharacteristicKind, Motor, MotorFilter, MotorWarning, PassedOver,
     SelectionRequest, catalogues, check_breakdown, check_rms, check_rotor_inertia, check_starting,
     find_motor, list_motors, nearest, rms_torque, select,
 };
 use assur_words::text;
+use serde::Serialize;
 
 use crate::{DynamicsError, Regime};
 
 /// The motor that drives.
 #[derive(Debug, Clone, PartialEq)]
-pub struct DriveMotor {
-    /// Designation as the catalogue prints it; `None` for a motor given by its data.
-    pub designation: Option<String>,
-    /// The data of which the characteristic is computed.
-    pub rated: RatedMotor,
+pub(crate) struct DriveMotor {
+    /// The row of its catalogue; owned where the scene gives the rated data.
+    motor: Cow<'static, Motor>,
     /// The mechanical characteristic.
-    pub characteristic: Characteristic,
-    /// Row of the catalogue, with mass and size.
-    pub row: Option<&'static Motor>,
+    pub(crate) characteristic: Characteristic,
     /// Other suitable motors, with the ratio that each would need, the best first; only if the motor was chosen.
-    pub runners_up: Vec<Candidate<'static>>,
+    pub(crate) runners_up: Vec<Candidate<'static>>,
     /// The motors that were not taken, and why; only if the motor was chosen.
-    pub passed_over: Vec<PassedOver<'static>>,
+    pub(crate) passed_over: Vec<PassedOver<'static>>,
+}
+
+/// The row of a catalogue; `None` for a motor given by its data.
+fn row(motor: &Cow<'static, Motor>) -> Option<&'static Motor> {
+    if let Cow::Borrowed(row) = motor { Some(row) } else { None }
 }
 
 impl DriveMotor {
+    /// Its row of a catalogue; `None` for a motor given by its data.
+    pub(crate) fn row(&self) -> Option<&'static Motor> {
+        row(&self.motor)
+    }
+
     /// Rotor, kg m²; 0 where it is not known.
-    pub fn rotor(&self) -> f64 {
-        self.rated.inertia.unwrap_or(0.0)
+    pub(crate) fn rotor(&self) -> f64 {
+        self.motor.rotor_inertia.unwrap_or(0.0)
     }
 
     /// A warning where the rotor counts as massless, since its inertia is not known.
     pub(crate) fn unknown_rotor(&self) -> Option<MotorWarning> {
-        match self.row {
+        match self.row() {
             Some(row) => check_rotor_inertia(row),
             None => {
-                self.rated.inertia.is_none().then(|| MotorWarning::RotorInertiaUnknown {
+                self.motor.rotor_inertia.is_none().then(|| MotorWarning::RotorInertiaUnknown {
                     designation: text!("dynamics-motor-by-data"),
                 })
             }
@@ -54,11 +63,18 @@ impl DriveMotor {
         let Torque::Motor { motor, catalogue, max_speed, characteristic: kind } = torque else {
             return Ok(None);
         };
-        let of_row = |row: &'static Motor| Self::new(row.rated_data(), *kind, Some(row));
+        let of_row = |row: &'static Motor| Self::new(Cow::Borrowed(row), *kind);
         let motor = match motor {
             MotorChoice::Rated(rated) => {
-                let inertia = rated.inertia.filter(|inertia| *inertia > 0.0);
-                Self::new(RatedMotor { inertia, ..*rated }, *kind, None)
+                let motor = Motor {
+                    rated_power: rated.power,
+                    synchronous_speed: rated.synchronous_speed,
+                    rated_speed: rated.rated_speed,
+                    max_torque_ratio: rated.max_torque_ratio,
+                    rotor_inertia: rated.inertia.filter(|inertia| *inertia > 0.0),
+                    ..Motor::default()
+                };
+                Self::new(Cow::Owned(motor), *kind)
             }
             MotorChoice::Designation(designation) => of_row(find_motor(catalogue.as_deref(), designation)?),
             MotorChoice::Auto => {
@@ -79,31 +95,47 @@ impl DriveMotor {
         motor.map(Some)
     }
 
-    /// By its data, and its row of a catalogue.
-    fn new(
-        rated: RatedMotor,
-        kind: CharacteristicKind,
-        row: Option<&'static Motor>,
-    ) -> Result<Self, DynamicsError> {
-        let characteristic = Characteristic::new(kind, &rated).map_err(DynamicsError::Rated)?;
-        let designation = row.map(|row| row.designation.clone());
-        let (runners_up, passed_over) = (Vec::new(), Vec::new());
-        Ok(Self { designation, rated, characteristic, row, runners_up, passed_over })
+    fn new(motor: Cow<'static, Motor>, kind: CharacteristicKind) -> Result<Self, DynamicsError> {
+        let characteristic = Characteristic::new(kind, &motor.rated_data()).map_err(DynamicsError::Rated)?;
+        Ok(Self { motor, characteristic, runners_up: Vec::new(), passed_over: Vec::new() })
     }
 
     /// The next of the other suitable motors in its place; `None` after the last one.
     pub(crate) fn next(&self) -> Option<Self> {
         let (next, others) = self.runners_up.split_first()?;
-        let motor = Self::new(next.motor.rated_data(), self.characteristic.kind(), Some(next.motor)).ok()?;
+        let motor = Self::new(Cow::Borrowed(next.motor), self.characteristic.kind()).ok()?;
         Some(Self { runners_up: others.to_vec(), ..motor })
     }
 }
 
-/// How the motor works in the regime. Torques and speeds of its own shaft.
-#[derive(Debug, Clone, PartialEq)]
+/// Points of the curves over the speed.
+const CURVE: usize = 61;
+
+/// The motor that drives in a steady regime.
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct SteadyMotor {
-    /// The motor.
-    pub motor: DriveMotor,
+    /// The row of its catalogue; owned where the scene gives the rated data.
+    #[serde(flatten)]
+    pub motor: Cow<'static, Motor>,
+    /// How it works in the regime.
+    pub work: MotorWork,
+    /// Other suitable motors, with the ratio that each would need, the best first; only if the motor was chosen.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub runners_up: Vec<Candidate<'static>>,
+    /// The motors that were not taken, and why; only if the motor was chosen.
+    #[serde(skip)]
+    pub passed_over: Vec<PassedOver<'static>>,
+    /// Warnings for the engineer.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub warnings: Vec<MotorWarning>,
+}
+
+/// How the motor works in the regime. Torques and speeds of its own shaft.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct MotorWork {
+    /// The mechanical characteristic.
+    #[serde(flatten)]
+    pub characteristic: Characteristic,
     /// Least and greatest speed of the motor, rad/s: the working section.
     pub speed: [f64; 2],
     /// Least and greatest torque, N m.
@@ -112,8 +144,10 @@ pub struct SteadyMotor {
     pub rms_torque: f64,
     /// Torque of the load at rest on the motor shaft, N m: the greatest of all positions of the cycle.
     pub starting_load: f64,
-    /// Warnings for the engineer.
-    pub warnings: Vec<MotorWarning>,
+    /// The characteristic up to a tenth above the synchronous speed: speed, torque.
+    pub curve: Vec<[f64; 2]>,
+    /// The working section: speed, torque.
+    pub working_section: Vec<[f64; 2]>,
 }
 
 impl SteadyMotor {
@@ -132,7 +166,7 @@ impl SteadyMotor {
         });
         let rms_torque = rms_torque(nodes);
         let starting_load = (resistance / (ratio * efficiency)).max(0.0);
-        let starting_ratio = motor.row.and_then(|row| row.starting_torque_ratio);
+        let starting_ratio = motor.motor.starting_torque_ratio;
         let warnings = [
             check_breakdown(&characteristic, speed),
             check_starting(&characteristic, starting_ratio, starting_load),
@@ -140,20 +174,24 @@ impl SteadyMotor {
             motor.unknown_rotor(),
         ];
         let warnings = warnings.into_iter().flatten().collect();
-        Self { motor, speed, torque, rms_torque, starting_load, warnings }
+        let curve = curve(&characteristic, [0.0, 1.1 * characteristic.synchronous_speed]);
+        let working_section = self::curve(&characteristic, speed);
+        let work =
+            MotorWork { characteristic, speed, torque, rms_torque, starting_load, curve, working_section };
+        let DriveMotor { motor, runners_up, passed_over, .. } = motor;
+        Self { motor, work, runners_up, passed_over, warnings }
     }
 
     /// Keeps of all motors that were `refused` those nearest before this one, if it was chosen.
     pub(crate) fn passed_over(&mut self, refused: Vec<PassedOver<'static>>) {
-        if let Some(row) = self.motor.row {
-            self.motor.passed_over = nearest(refused, row);
+        if let Some(row) = row(&self.motor) {
+            self.passed_over = nearest(refused, row);
         }
     }
+}
 
-    /// `count` points (speed rad/s, torque N m) of the characteristic between two speeds of the motor.
-    pub fn curve(&self, [low, high]: [f64; 2], count: usize) -> Vec<[f64; 2]> {
-        let last = count.saturating_sub(1).max(1) as f64;
-        let point = |speed: f64| [speed, self.motor.characteristic.torque(speed)];
-        (0..count).map(|i| point(low + (high - low) * (i as f64) / last)).collect()
-    }
+/// Points (speed rad/s, torque N m) of a characteristic between two speeds of the motor.
+fn curve(characteristic: &Characteristic, [low, high]: [f64; 2]) -> Vec<[f64; 2]> {
+    let point = |speed: f64| [speed, characteristic.torque(speed)];
+    (0..CURVE).map(|i| point(low + (high - low) * (i as f64) / (CURVE - 1) as f64)).collect()
 }

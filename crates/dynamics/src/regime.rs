@@ -8,6 +8,7 @@ use assur_kinematics::Linkage;
 use assur_mechanism::{Drive, Mechanism, Motion, MotorChoice, Solve, Torque};
 use assur_motor::Motor;
 use assur_number::search::try_bisect;
+use serde::{Serialize, Serializer};
 
 use crate::friction::KnownMotion;
 use crate::machine::Watcher;
@@ -129,12 +130,50 @@ fn bends(machine: &mut Machine<'_>, request: &CycleRequest) -> Result<Vec<f64>, 
 }
 
 /// A motor in the place of that of a scene.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Advice {
     /// The row of its catalogue.
+    #[serde(flatten, serialize_with = "entry")]
     pub motor: &'static Motor,
-    /// The regime of the greatest unevenness that it allows, or why there is none.
-    pub found: Result<Steady, DynamicsError>,
+    /// The greatest unevenness for which it stays on the stable section of its characteristic, and what goes with it; `None` if
+    /// the motor has no regime.
+    #[serde(flatten, skip_serializing_if = "Option::is_none")]
+    pub regime: Option<AdvisedRegime>,
+}
+
+fn entry<S: Serializer>(motor: &Motor, serializer: S) -> Result<S::Ok, S::Error> {
+    motor.entry(None).serialize(serializer)
+}
+
+/// The regime of the greatest unevenness that a motor allows.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct AdvisedRegime {
+    /// (max - min) / mean of the input speed.
+    pub unevenness: f64,
+    /// Motor speed / input speed.
+    pub ratio: f64,
+    /// Moment of inertia of the flywheel for it, kg m²; 0 where none is needed.
+    pub flywheel: f64,
+    /// Greatest torque of the motor over the cycle, N m.
+    pub greatest_torque: f64,
+    /// Breakdown torque over this greatest torque, where it is known.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub torque_reserve: Option<f64>,
+}
+
+impl AdvisedRegime {
+    fn of(found: &Steady) -> Option<Self> {
+        let work = &found.motor.as_ref()?.work;
+        let greatest_torque = work.torque[1];
+        let reserve = work.characteristic.breakdown_torque.map(|torque| torque / greatest_torque);
+        Some(Self {
+            unevenness: found.regime.figures.unevenness,
+            ratio: found.regime.figures.ratio?,
+            flywheel: found.regime.flywheel,
+            greatest_torque,
+            torque_reserve: reserve.filter(|ratio| ratio.is_finite()),
+        })
+    }
 }
 
 /// The motors that have the power which a scene needs and keep its limit of speed, the best first, at most `most` of them;
@@ -149,11 +188,12 @@ pub fn advise(linkage: &Linkage, loads: &Loads, most: usize) -> Result<(Vec<Advi
     set_motor(&mut mechanism, MotorChoice::Auto, None);
     let chosen = chosen_motor(linkage, loads, &mechanism)?;
     let others = chosen.runners_up.iter().map(|candidate| candidate.motor);
-    let all: Vec<_> = chosen.row.into_iter().chain(others).collect();
+    let all: Vec<_> = chosen.row().into_iter().chain(others).collect();
     let advice = all.iter().take(most).map(|motor| {
         let (designation, catalogue) = (motor.designation.clone(), motor.catalogue.clone());
         set_motor(&mut mechanism, MotorChoice::Designation(designation), Some(catalogue));
-        Advice { motor, found: steady_of(linkage, loads, &mechanism, None) }
+        let found = steady_of(linkage, loads, &mechanism, None);
+        Advice { motor, regime: found.ok().as_ref().and_then(AdvisedRegime::of) }
     });
     Ok((advice.collect(), all.len()))
 }

@@ -92,11 +92,11 @@ fn with_a_fit_motor(
     };
     let others = std::iter::successors(motor.and_then(DriveMotor::next), DriveMotor::next);
     let mut first = works(drive, motor.cloned());
-    if is_fit(&mut first, motor.and_then(|motor| motor.row)) {
+    if is_fit(&mut first, motor.and_then(DriveMotor::row)) {
         return first;
     }
     for other in others.take(MOST_TRIED) {
-        let row = other.row;
+        let row = other.row();
         let mut found = works(&drive.with(&other.characteristic, other.rotor()), Some(other));
         if is_fit(&mut found, row) {
             return found;

@@ -1,6 +1,7 @@
 //! The mechanical characteristic: torque of the motor as a function of its speed.
 
 use assur_words::{number, text};
+use serde::{Serialize, Serializer};
 
 use crate::{CharacteristicKind, MotorError, RatedMotor};
 
@@ -10,18 +11,31 @@ use crate::{CharacteristicKind, MotorError, RatedMotor};
 ///   current displacement in the rotor bars; the real starting torque of a cage motor is higher and is in the catalogue.
 /// * The straight line M = Mn (ws - w) / (ws - wn): the working section only. It has no breakdown, so its torque is too
 ///   great far from the working section.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Characteristic {
+    /// Slip of the greatest torque; `None` for a straight line. Results have the name of the formula in its place.
+    #[serde(rename = "characteristic", serialize_with = "formula")]
+    pub critical_slip: Option<f64>,
     /// Synchronous speed, rad/s.
+    #[serde(skip)]
     pub synchronous_speed: f64,
     /// Rated speed, rad/s.
+    #[serde(skip)]
     pub rated_speed: f64,
     /// Rated torque, N·m.
     pub rated_torque: f64,
     /// Breakdown torque, N·m; `None` for a straight line without this value in the catalogue.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub breakdown_torque: Option<f64>,
-    /// Slip of the greatest torque; `None` for a straight line.
-    pub critical_slip: Option<f64>,
+}
+
+fn formula<S: Serializer>(critical_slip: &Option<f64>, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_str(name(*critical_slip))
+}
+
+/// The formula of a characteristic by its critical slip: `kloss` or `linear`.
+fn name(critical_slip: Option<f64>) -> &'static str {
+    if critical_slip.is_some() { "kloss" } else { "linear" }
 }
 
 impl Characteristic {
@@ -91,7 +105,7 @@ impl Characteristic {
 
     /// Stable name of its kind, as scenes write it: `kloss` or `linear`.
     pub fn name(&self) -> &'static str {
-        if self.critical_slip.is_some() { "kloss" } else { "linear" }
+        name(self.critical_slip)
     }
 
     /// Speed of the greatest torque, rad/s; `None` for a straight line. Negative if the critical slip exceeds 1.

@@ -4,49 +4,66 @@ use std::cmp::Ordering;
 use std::f64::consts::PI;
 
 use assur_words::{Text, text};
+use serde::Serialize;
 
 use crate::{RatedMotor, latin_designation};
 
 /// A three-phase asynchronous motor as its catalogue prints it, in SI units.
 ///
-/// Nothing is estimated: a value that the source does not print is `None`.
-#[derive(Debug, Clone, PartialEq)]
+/// Nothing is estimated: a value that the source does not print is `None`. A motor that a scene gives by its rated data has
+/// no more than these, and neither catalogue nor designation. Results have the rated data, mass and size.
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
 pub struct Motor {
-    /// Name of the catalogue that the row belongs to.
-    pub catalogue: String,
     /// Type as printed; may hold Cyrillic letters, see [`latin_designation`](Self::latin_designation).
     pub designation: String,
+    /// Name of the catalogue that the row belongs to.
+    #[serde(skip_serializing_if = "String::is_empty")]
+    pub catalogue: String,
     /// Number of poles: 2, 4, 6, 8, ...
+    #[serde(skip)]
     pub poles: u32,
     /// Rated shaft power, W.
+    #[serde(rename = "power")]
     pub rated_power: f64,
     /// Synchronous speed, rad/s.
     pub synchronous_speed: f64,
     /// Rated speed, rad/s; less than the synchronous speed.
     pub rated_speed: f64,
     /// Rated slip as printed, a fraction. May differ from the slip of the printed speeds (then flagged).
+    #[serde(skip)]
     pub printed_slip: Option<f64>,
     /// Efficiency at full load, a fraction.
+    #[serde(skip)]
     pub efficiency: Option<f64>,
     /// Power factor cos φ at full load.
+    #[serde(skip)]
     pub power_factor: Option<f64>,
     /// Rated current, A.
+    #[serde(skip)]
     pub rated_current: Option<f64>,
     /// Breakdown torque / rated torque.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub max_torque_ratio: Option<f64>,
     /// Locked-rotor torque / rated torque.
+    #[serde(skip)]
     pub starting_torque_ratio: Option<f64>,
     /// Moment of inertia of the rotor, kg·m².
+    #[serde(rename = "inertia", skip_serializing_if = "Option::is_none")]
     pub rotor_inertia: Option<f64>,
     /// Mass of the whole motor, kg.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub mass: Option<f64>,
     /// Length with one shaft end, m.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub length: Option<f64>,
     /// Diameter of the housing, m.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub diameter: Option<f64>,
     /// Remarks on the row, see [`flag_meaning`](crate::flag_meaning); empty if every check passed.
+    #[serde(skip)]
     pub flags: Vec<String>,
     /// Short reference to where the row is printed.
+    #[serde(skip)]
     pub source: String,
 }
 
@@ -62,10 +79,34 @@ impl Motor {
         }
     }
 
+    /// What lists of motors in results say of one; `ratio`: motor speed / input speed, where that is asked for.
+    pub fn entry(&self, ratio: Option<f64>) -> impl Serialize {
+        Entry {
+            designation: &self.designation,
+            catalogue: &self.catalogue,
+            power: self.rated_power,
+            rated_speed: self.rated_speed,
+            ratio,
+            mass: self.mass,
+        }
+    }
+
     /// The designation in ASCII: [`latin_designation`] of what is printed.
     pub fn latin_designation(&self) -> String {
         latin_designation(&self.designation)
     }
+}
+
+#[derive(Serialize)]
+struct Entry<'a> {
+    designation: &'a str,
+    catalogue: &'a str,
+    power: f64,
+    rated_speed: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    ratio: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    mass: Option<f64>,
 }
 
 /// The order of preference of [`select`](crate::select).

@@ -1,6 +1,7 @@
 //! Choosing a motor: the smallest that gives the power and keeps the speed limit.
 
 use assur_words::{name, number, text};
+use serde::{Serialize, Serializer};
 
 use crate::motor::{better, rpm};
 use crate::{CharacteristicKind, Motor, MotorError, PassedOver, Refusal};
@@ -28,6 +29,12 @@ pub struct Candidate<'a> {
     pub motor: &'a Motor,
     /// Rated speed / input speed.
     pub ratio: f64,
+}
+
+impl Serialize for Candidate<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        self.motor.entry(Some(self.ratio)).serialize(serializer)
+    }
 }
 
 /// What was chosen, and from what.

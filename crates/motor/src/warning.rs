@@ -1,6 +1,7 @@
 //! Warnings about a motor that can be used nevertheless.
 
 use assur_words::{Describe, Text, name, number, text};
+use serde::{Serialize, Serializer};
 
 use crate::motor::rpm;
 use crate::{Characteristic, Motor};
@@ -43,6 +44,12 @@ impl MotorWarning {
     /// Whether the motor can't do its work, so that another one is needed; else only something about it is not known.
     pub fn is_unfit(&self) -> bool {
         !matches!(self, Self::RotorInertiaUnknown { .. })
+    }
+}
+
+impl Serialize for MotorWarning {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        self.describe().serialize(serializer)
     }
 }
 

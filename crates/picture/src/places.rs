@@ -4,7 +4,7 @@ use assur_analysis::results::Dynamics;
 use assur_figure::number::digits;
 use assur_figure::{Bounds, Frame, Ink, Item, Key, Panel, Point, Sample, Sign, Stroke};
 use assur_mechanism::{InputPair, Mechanism};
-use assur_motor::{FlywheelSize, Motor, RatedMotor, catalogues};
+use assur_motor::{FlywheelSize, Motor, catalogues};
 use assur_report::topic::flywheel_shaft;
 use assur_words::{Text, joined, list, name, number, quantity, text};
 
@@ -73,9 +73,9 @@ struct Drawn {
 
 impl Drawn {
     fn of(dynamics: &Dynamics) -> Self {
-        let motor = dynamics.motor.as_ref();
+        let motor = dynamics.motor.as_ref().map(|found| &*found.motor);
         let own = motor.and_then(|motor| Some([motor.length?, motor.diameter?]));
-        let other = motor.filter(|_| own.is_none()).and_then(|motor| alike(&motor.rated));
+        let other = motor.filter(|_| own.is_none()).and_then(alike);
         let name = match other {
             Some(other) => text!("places-motor-as", other = name(other.designation.clone())),
             None => text!("places-motor"),
@@ -139,14 +139,14 @@ fn size_of(motor: &Motor) -> Option<[f64; 2]> {
 
 /// A motor of a catalogue with the same rated power and synchronous speed that has sizes: the lightest one, by which a motor of
 /// which only rated data are known is drawn.
-fn alike(rated: &RatedMotor) -> Option<&'static Motor> {
+fn alike(drive: &Motor) -> Option<&'static Motor> {
     let same = |own: f64, other: f64| (own - other).abs() <= SAME * other;
     let all =
         catalogues().unwrap_or_default().into_iter().filter_map(|catalogue| catalogue.rows().ok()).flatten();
     let fits = all.filter(|motor| {
         size_of(motor).is_some()
-            && same(rated.power, motor.rated_power)
-            && same(rated.synchronous_speed, motor.synchronous_speed)
+            && same(drive.rated_power, motor.rated_power)
+            && same(drive.synchronous_speed, motor.synchronous_speed)
     });
     let mass = |motor: &Motor| motor.mass.unwrap_or(f64::INFINITY);
     fits.min_by(|one, other| mass(one).total_cmp(&mass(other)))

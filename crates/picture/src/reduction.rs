@@ -7,7 +7,7 @@ use assur_analysis::InputMotion;
 use assur_analysis::results::{Column, Owner, Quantity};
 use assur_figure::number::digits;
 use assur_figure::{Bounds, Frame, Ink, Item, Panel, Point, Sign, Stroke};
-use assur_mechanism::{InputPair, PointId};
+use assur_mechanism::{InputPair, PointId, ReductionPoint};
 use assur_words::{Text, name, quantity, text};
 
 use crate::{Found, Look, Results, ViewPart, mechanism, plans};
@@ -42,17 +42,17 @@ impl Reduced {
     /// Of a mechanism whose input link turns, where its reduction is calculated.
     fn of(results: &Results, look: &Look<'_>, found: &Found) -> Option<Self> {
         let table = &found.analysis.positions;
-        let calculation = found.plans.calculation();
-        let (point, row) = (calculation.reduction_point()?, table.row_of(look.position)?);
+        let (point, row) =
+            (ReductionPoint::farthest(&results.linkage.mechanism)?, table.row_of(look.position)?);
         let InputPair::Pin(pin) = results.linkage.mechanism.input.pair else { return None };
         let pose = results.pose(look.position, 0.0)?;
         let motion = |id: PointId| results.linkage.point_motion(id, &pose);
         let of = |quantity| table.schema().find(Column::of(quantity, Owner::Input));
         let moments = of(Quantity::ReducedMoment)?;
         let shaft = found.analysis.dynamics.as_ref().map_or(0.0, |found| found.regime.found.drive_inertia);
-        let tip = motion(point.name.id);
+        let tip = motion(point.point.id);
         Some(Self {
-            name: Text::from(&point.name),
+            name: Text::from(&point.point),
             radius: point.radius,
             pin: motion(pin).pf0,
             tip: tip.pf0,
@@ -61,7 +61,7 @@ impl Reduced {
             most: table.each(moments).flatten().fold(0.0_f64, |most, moment| most.max(moment.abs())),
             inertia: table.at(row, of(Quantity::ReducedInertia)?)? + shaft,
             has_shaft: shaft > 0.0,
-            at_rest: matches!(calculation.motion, InputMotion::Transient(_)),
+            at_rest: matches!(found.plans.calculation().motion, InputMotion::Transient(_)),
         })
     }
 

@@ -71,8 +71,7 @@ impl<'a> Worker<'a> {
         result?;
         let mut designation = None;
         if let InputMotion::Steady(found) = motion {
-            designation =
-                found.motor.as_ref().map(|motor| motor.motor.designation.clone().unwrap_or_default());
+            designation = found.motor.as_ref().map(|motor| motor.motor.designation.clone());
             self.found.steady = Some(found);
         }
         for value in &self.sweep.layout.values {

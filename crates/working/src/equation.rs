@@ -39,7 +39,7 @@ impl Work<'_> {
         let link = mechanism.input.link;
         let Some(place) = ReductionPoint::farthest(mechanism)
             .filter(|_| self.linkage.angular())
-            .and_then(|found| mechanism.place_in(found.point, link))
+            .and_then(|found| mechanism.place_in(found.point.id, link))
         else {
             return;
         };

@@ -37,14 +37,14 @@ pub use analysis::{
     Analysis, Checks, Cycle, Energy, Failure, InputReport, Integration, PositionPlans, Residual,
 };
 pub use assur_check::{Check, Finding, verdict};
-pub use assur_dynamics::{Effort, Figures, FlywheelByMethod, Iteration, Regime, RegimeState, Trial};
+pub use assur_dynamics::{
+    Advice, AdvisedRegime, Effort, Figures, FlywheelByMethod, Iteration, MotorWork, Regime, RegimeState,
+    SteadyMotor, Trial,
+};
 pub use assur_integrator::{Event, SolutionCost, State};
 pub use assur_number::{Extreme, Statistic};
 pub use column::{Column, Owner, Part, Quantity};
-pub use dynamics::{
-    AdvisedRegime, Dynamics, EnergyMass, EnergyMassTangent, MotorAdvice, MotorReport, MotorWork, PointReport,
-    RegimeOverCycle,
-};
+pub use dynamics::{Dynamics, EnergyMass, EnergyMassTangent, RegimeOverCycle};
 pub use schema::{Schema, Section};
 pub use structure::{
     ClosingReport, GroupReport, ModeReport, PassiveReport, StructureReport, passive, passive_name,

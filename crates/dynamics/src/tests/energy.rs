@@ -143,7 +143,7 @@ fn motor_and_places_of_the_flywheel() {
     ));
     let found = steady(&linkage, &loads, None).unwrap();
     let motor = found.motor.unwrap();
-    let row = motor.motor.row.unwrap();
+    let (row, motor) = (motor.motor, motor.work);
     assert!(row.rated_power >= found.regime.figures.required_power && row.synchronous_speed < 157.1);
     assert!(
         motor.speed[0] < motor.speed[1]

@@ -63,9 +63,6 @@ fn advice_is_the_regime_with_that_motor() {
         let text = text.replace("unevenness = 0.05", "unevenness = \"motor\"") + &drive;
         let (linkage, loads) = compiled(&text);
         let own = steady(&linkage, &loads, None).unwrap();
-        assert_relative_eq!(
-            one.found.as_ref().unwrap().regime.figures.unevenness,
-            own.regime.figures.unevenness
-        );
+        assert_relative_eq!(one.regime.unwrap().unevenness, own.regime.figures.unevenness);
     }
 }

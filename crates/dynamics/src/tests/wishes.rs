@@ -81,8 +81,8 @@ fn a_chosen_motor_is_fit_for_its_work() {
             };
             let chosen = given("auto").unwrap();
             assert!(is_fit(&chosen), "{catalogue} {speed}: {:?}", chosen.warnings);
-            let power = chosen.motor.rated.power;
-            for passed in &chosen.motor.passed_over {
+            let power = chosen.motor.rated_power;
+            for passed in &chosen.passed_over {
                 assert!(passed.motor.rated_power <= power, "{passed:?}");
                 let tried = matches!(passed.why, Refusal::Unfit(_));
                 let again = given(&passed.motor.designation).map(|other| other.warnings);

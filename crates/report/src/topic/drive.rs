@@ -1,9 +1,9 @@
 //! Motor and flywheel.
 
-use assur_analysis::results::{AdvisedRegime, Dynamics, MotorAdvice, MotorReport};
+use assur_analysis::results::{Advice, AdvisedRegime, Dynamics, SteadyMotor};
 use assur_book::{Document, Fact, Listing, Table, Unit};
-use assur_motor::{USUAL_SOURCE, USUAL_UNEVENNESS, rpm};
-use assur_words::{Text, joined, name, text};
+use assur_motor::{Motor, USUAL_SOURCE, USUAL_UNEVENNESS, rpm};
+use assur_words::{Describe, Text, joined, name, text};
 
 use super::Source;
 
@@ -28,7 +28,7 @@ pub fn drive(source: &Source<'_>, page: &mut Document) {
     }
     if let Some(motor) = &found.motor {
         for warning in &motor.warnings {
-            page.paragraph(text!("report-warning", warning));
+            page.paragraph(text!("report-warning", warning = warning.describe()));
         }
         runners_up(motor, page);
     }
@@ -37,28 +37,28 @@ pub fn drive(source: &Source<'_>, page: &mut Document) {
 }
 
 /// The motor: what it is rated for, and how it works in the regime.
-pub fn motor_facts(motor: &MotorReport) -> Vec<Fact> {
+pub fn motor_facts(found: &SteadyMotor) -> Vec<Fact> {
+    let (motor, work) = (&*found.motor, &found.work);
     let given = motor.designation.is_empty();
     let designation = if given { text!("fact-motor-given") } else { name(motor.designation.clone()) };
-    let catalogue = motor.catalogue.clone().map(|of| Fact::text("fact-catalogue", name(of)));
+    let catalogue = || Fact::text("fact-catalogue", name(motor.catalogue.clone()));
     let speed =
         |id, speed: f64| Fact::text(id, joined(" = ", [Unit::TURNING[0], RPM].map(|unit| unit.show(speed))));
-    let (rated, work) = (&motor.rated, &motor.work);
     let some = |id, value: Option<f64>, unit| value.map(|value| Fact::number(id, value, unit));
     [
         Some(Fact::text("fact-motor", designation)),
-        catalogue,
-        some("fact-rated-power", Some(rated.power), Unit::POWER),
-        Some(speed("fact-synchronous-speed", rated.synchronous_speed)),
-        Some(speed("fact-rated-speed", rated.rated_speed)),
-        some("fact-breakdown-ratio", rated.max_torque_ratio, Unit::NONE),
-        some("fact-rotor", rated.inertia, Unit::INERTIA),
+        (!given).then(catalogue),
+        some("fact-rated-power", Some(motor.rated_power), Unit::POWER),
+        Some(speed("fact-synchronous-speed", motor.synchronous_speed)),
+        Some(speed("fact-rated-speed", motor.rated_speed)),
+        some("fact-breakdown-ratio", motor.max_torque_ratio, Unit::NONE),
+        some("fact-rotor", motor.rotor_inertia, Unit::INERTIA),
         some("fact-motor-mass", motor.mass, Unit::KILOGRAM),
         some("fact-motor-length", motor.length, Unit::LENGTH),
         some("fact-motor-diameter", motor.diameter, Unit::LENGTH),
-        Some(Fact::text("fact-characteristic", characteristic(work.characteristic))),
-        some("fact-rated-torque", Some(work.rated_torque), Unit::MOMENT),
-        some("fact-breakdown-torque", work.breakdown_torque, Unit::MOMENT),
+        Some(Fact::text("fact-characteristic", characteristic(work.characteristic.name()))),
+        some("fact-rated-torque", Some(work.characteristic.rated_torque), Unit::MOMENT),
+        some("fact-breakdown-torque", work.characteristic.breakdown_torque, Unit::MOMENT),
         Some(Fact::range("fact-working-speed", work.speed, Unit::TURNING[0])),
         Some(Fact::range("fact-working-torque", work.torque, Unit::MOMENT)),
         some("fact-rms-torque", Some(work.rms_torque), Unit::MOMENT),
@@ -97,22 +97,20 @@ pub fn flywheel_shaft(key: &'static str) -> Text {
 }
 
 /// The table of some motors with their rated data.
-fn motors(caption: Text, motors: &[MotorAdvice]) -> Listing<&MotorAdvice> {
+fn motors<T>(caption: Text, motors: &[T], of: fn(&T) -> &Motor) -> Listing<&T> {
     Table::each(caption, motors)
-        .column(text!("head-motor"), |motor| &motor.designation)
-        .column(text!("head-catalogue"), |motor| &motor.catalogue)
-        .measured(text!("head-power"), KILOWATT, |motor| motor.power)
-        .measured(text!("head-rated-speed"), RPM, |motor| motor.rated_speed)
+        .column(text!("head-motor"), |one| &of(one).designation)
+        .column(text!("head-catalogue"), |one| &of(one).catalogue)
+        .measured(text!("head-power"), KILOWATT, |one| of(one).rated_power)
+        .measured(text!("head-rated-speed"), RPM, |one| of(one).rated_speed)
 }
 
-fn runners_up(motor: &MotorReport, page: &mut Document) {
+fn runners_up(motor: &SteadyMotor, page: &mut Document) {
     let others = &motor.runners_up[..motor.runners_up.len().min(MOST)];
     let caption = text!("report-runners-up", shown = others.len(), all = motor.runners_up.len());
-    let table = motors(caption, others).column(text!("head-ratio"), |other| other.ratio).measured(
-        text!("head-mass"),
-        Unit::KILOGRAM,
-        |other| other.mass,
-    );
+    let table = motors(caption, others, |one| one.motor)
+        .column(text!("head-ratio"), |other| other.ratio)
+        .measured(text!("head-mass"), Unit::KILOGRAM, |other| other.motor.mass);
     page.table(table.table());
 }
 
@@ -142,20 +140,20 @@ fn flywheel_places(found: &Dynamics) -> Table {
 }
 
 /// The motors that suit a scene, the best first, out of `count`.
-pub fn advice(motors: &[MotorAdvice], count: usize, page: &mut Document) {
+pub fn advice(motors: &[Advice], count: usize, page: &mut Document) {
     page.paragraph(text!("report-motors-first", shown = motors.len(), all = count));
     compared(motors, page);
 }
 
 /// The table of the motors, and the usual values.
-fn compared(motors: &[MotorAdvice], page: &mut Document) {
-    let of = |motor: &MotorAdvice, value: fn(&AdvisedRegime) -> f64| motor.regime.as_ref().map(value);
-    let table = self::motors(text!("report-motors"), motors)
+fn compared(motors: &[Advice], page: &mut Document) {
+    let of = |motor: &Advice, value: fn(&AdvisedRegime) -> f64| motor.regime.as_ref().map(value);
+    let table = self::motors(text!("report-motors"), motors, |one| one.motor)
         .column(text!("head-unevenness"), |motor| of(motor, |regime| regime.unevenness))
         .column(text!("head-ratio"), |motor| of(motor, |regime| regime.ratio))
         .measured(text!("head-flywheel"), Unit::INERTIA, |motor| of(motor, |regime| regime.flywheel))
         .column(text!("head-reserve"), |motor| motor.regime.as_ref().and_then(|regime| regime.torque_reserve))
-        .measured(text!("head-mass"), Unit::KILOGRAM, |motor| motor.mass);
+        .measured(text!("head-mass"), Unit::KILOGRAM, |one| one.motor.mass);
     page.table(table.table());
     let range = |[least, most]: [f64; 2]| {
         let [least, most] = [least, most].map(|value| Unit::NONE.number(value));

@@ -29,7 +29,7 @@ pub fn reduction(source: &Source<'_>, page: &mut Document) {
     let dynamics = source.analysis.dynamics.as_ref();
     let Some(point) = dynamics.and_then(|found| found.reduction_point.as_ref()) else { return };
     let radius = point.radius;
-    let (to, r) = (Text::from(&point.name), Unit::LENGTH.show(radius));
+    let (to, r) = (Text::from(&point.point), Unit::LENGTH.show(radius));
     let scaled = |values, by: f64| each(table, values).into_iter().map(move |value| Some(value? / by));
     let columns = vec![
         Column::numbers(name("m"), Unit::KILOGRAM, scaled(inertia, radius * radius)),

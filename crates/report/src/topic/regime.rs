@@ -1,6 +1,6 @@
 //! The periodic regime: its numbers, how it was found, its course over the cycle.
 
-use assur_analysis::results::{Analysis, Dynamics, MotorReport, Owner, Quantity, Regime, RegimeState};
+use assur_analysis::results::{Analysis, Dynamics, Owner, Quantity, Regime, RegimeState};
 use assur_book::{Column, Digits, Document, Fact, Table, Unit};
 use assur_words::{Text, name, number, text};
 
@@ -21,8 +21,8 @@ pub fn facts(analysis: &Analysis) -> Vec<Fact> {
     let one_of = |[usual, other]: [&'static str; 2], value: Option<f64>, unit| {
         if loads_drive { some(other, value.map(|value| -value), unit) } else { some(usual, value, unit) }
     };
-    let is_motor = |motor: &&MotorReport| !motor.designation.is_empty();
-    let motor = found.motor.as_ref().filter(is_motor);
+    let motor = found.motor.as_ref().map(|found| &*found.motor);
+    let named = motor.filter(|motor| !motor.designation.is_empty());
     let speed_min = Fact::number("fact-least-speed", figures.speed_min, rate);
     let speed_max = Fact::number("fact-greatest-speed", figures.speed_max, rate);
     let [driving, resisting, friction] =
@@ -43,8 +43,8 @@ pub fn facts(analysis: &Analysis) -> Vec<Fact> {
         energies(analysis).map(|range| Fact::range("fact-kinetic-energy", range, Unit::JOULE)),
         one_of(["fact-driving-moment", "fact-braking-moment"], figures.torque, moment),
         one_of(["fact-required-power", "fact-power-taken"], required_power(found, regime), Unit::POWER),
-        motor.map(|motor| Fact::text("fact-motor", name(motor.designation.clone()))),
-        some("fact-rated-power", found.motor.as_ref().map(|motor| motor.rated.power), Unit::POWER),
+        named.map(|motor| Fact::text("fact-motor", name(motor.designation.clone()))),
+        some("fact-rated-power", motor.map(|motor| motor.rated_power), Unit::POWER),
         some("fact-gear-ratio", figures.ratio, Unit::NONE),
         some("fact-flywheel", found.flywheel, Unit::INERTIA),
         some(

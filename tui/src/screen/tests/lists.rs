@@ -279,7 +279,7 @@ fn a_motor_is_taken_into_the_scene() {
     let designation = picker.rows[1].name.clone();
     press(&mut state, "Down Enter");
     let dynamics = state.found().unwrap().analysis.dynamics.as_ref().unwrap();
-    assert_eq!(dynamics.motor.as_ref().unwrap().designation, designation);
+    assert_eq!(dynamics.motor.as_ref().unwrap().motor.designation, designation);
     press(&mut state, "u");
     assert_eq!(state.what_if.changes(), 0);
     write(&mut state, ":motors 3 kW, 1000 rpm");

@@ -1,5 +1,6 @@
 //! What a reader looks for: the nearest singular position, a long report, warnings, ways between scenes and views.
 
+use assur_motor::MotorWarning;
 use assur_words::name;
 
 use super::words::TURNS;
@@ -90,9 +91,9 @@ fn a_warning_of_the_drive_is_on_its_first_part() {
     let scene = state.scene.as_mut().unwrap();
     let dynamics = scene.found.as_mut().unwrap().analysis.dynamics.as_mut().unwrap();
     dynamics.motor.as_mut().unwrap().warnings =
-        vec![assur_words::name(format!("the torque is {}", "too small ".repeat(9)))];
+        vec![MotorWarning::RotorInertiaUnknown { designation: name("A long name ".repeat(9)) }];
     let frame = text(&state, 80, 24);
-    let line = frame.lines().find(|line| line.starts_with(" ! the torque is too small")).unwrap();
+    let line = frame.lines().find(|line| line.starts_with(" ! the rotor inertia of A long name")).unwrap();
     assert!(line.ends_with("…  (Tab Tab: whole)"), "{line}");
     let scene = state.scene.as_mut().unwrap();
     let dynamics = scene.found.as_mut().unwrap().analysis.dynamics.as_mut().unwrap();
