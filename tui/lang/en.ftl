@@ -474,7 +474,6 @@ cli-plans-no-csv = --plans and --by-cause have no csv form; use --format text or
 cli-by-cause-most = --by-cause splits the reactions of at most { $most } positions of this scene, which has { $count }; lower `positions` in `[input]`
 cli-no-causes = error: reactions by cause: { $problem }
 cli-no-plans = error: plans of position { $position }: { $problem }
-cli-plans-of = Plans of position { $position } ({ $link } { $at })
 cli-no-energy-form = the energy form needs a motion from an initial state or a regime, with all loads known
 cli-no-sample = there is no sample { $sample }: the motion has samples 0 to { $last }
 cli-no-such-link = `--against { $link }`: the scene has no such link, only { $links }

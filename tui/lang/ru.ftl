@@ -449,7 +449,6 @@ cli-plans-no-csv = --plans и --by-cause не имеют вида csv; возь�
 cli-by-cause-most = --by-cause делит реакции не более чем в { $most } положениях этой сцены, а их { $count }; уменьшите `positions` в `[input]`
 cli-no-causes = ошибка: реакции по причинам: { $problem }
 cli-no-plans = ошибка: планы положения { $position }: { $problem }
-cli-plans-of = Планы положения { $position } ({ $link } { $at })
 cli-no-energy-form = форма кинетической энергии требует движения из начального состояния или установившегося движения и всех нагрузок
 cli-no-sample = отсчёта { $sample } нет: у движения отсчёты от 0 до { $last }
 cli-no-such-link = `--against { $link }`: у сцены нет такого звена, только { $links }

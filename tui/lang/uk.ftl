@@ -446,7 +446,6 @@ cli-plans-no-csv = --plans і --by-cause не мають виду csv; візь�
 cli-by-cause-most = --by-cause ділить реакції щонайбільше в { $most } положеннях цієї сцени, а їх { $count }; зменште `positions` у `[input]`
 cli-no-causes = помилка: реакції за причинами: { $problem }
 cli-no-plans = помилка: плани положення { $position }: { $problem }
-cli-plans-of = Плани положення { $position } ({ $link } { $at })
 cli-no-energy-form = форма кінетичної енергії потребує руху з початкового стану або усталеного руху та всіх навантажень
 cli-no-sample = відліку { $sample } немає: рух має відліки від 0 до { $last }
 cli-no-such-link = `--against { $link }`: сцена не має такої ланки, лише { $links }

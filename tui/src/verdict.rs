@@ -3,9 +3,9 @@
 
 use std::collections::BTreeSet;
 
-use assur_analysis::results::{Analysis, Check, Failure, PassiveReport, passive};
+use assur_analysis::results::{Analysis, Check, Failure};
 use assur_analysis::{Calculation, StructureStudy, lost_positions};
-use assur_kinematics::Linkage;
+use assur_kinematics::{Linkage, Misfit};
 use assur_report::json::analysis::finite;
 use assur_report::topic;
 use assur_words::{Describe, Text, list, name, number, text};
@@ -57,7 +57,7 @@ impl Verdict {
     pub(crate) fn of_positions(linkage: &Linkage, session: &Session) -> Self {
         let (lost, count) = lost_positions(linkage);
         let mut losses = failures(&lost, count, Some(session));
-        losses.extend(misfits(&passive(linkage), linkage.angular()));
+        losses.extend(misfits(&linkage.misfits, linkage.angular()));
         Self::of_losses(losses)
     }
 
@@ -108,7 +108,7 @@ fn failures(failures: &[Failure], count: usize, session: Option<&Session>) -> Ve
     told
 }
 
-fn misfits<'a>(passive: impl IntoIterator<Item = &'a PassiveReport>, angular: bool) -> Vec<Text> {
+fn misfits<'a>(passive: impl IntoIterator<Item = &'a Misfit>, angular: bool) -> Vec<Text> {
     let wrong = passive.into_iter().filter(|passive| !passive.fits());
     wrong.map(|passive| text!("cli-error", problem = topic::passive_part(passive, angular))).collect()
 }

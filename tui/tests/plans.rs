@@ -29,7 +29,7 @@ fn json(arguments: &[&str]) -> Value {
 /// The plans without their residuals, which are rounding.
 fn plans(scene: &str, index: &str) -> String {
     let text = out(&["analyze", scene, "--plans", index]);
-    let text = &text[text.find("\nPlans of position").unwrap()..];
+    let text = &text[text.find("Plans of position").unwrap()..];
     text.lines().map(|line| line.split("; ").next().unwrap_or_default().to_owned() + "\n").collect()
 }
 

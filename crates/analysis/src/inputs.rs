@@ -12,7 +12,7 @@ use serde::Serialize;
 
 use crate::modes::GroupModes;
 use crate::results::StructureReport;
-use crate::results::structure::{passive_name, report};
+use crate::results::structure::report;
 
 /// Structure of a mechanism, and of the same links driven by another one.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -178,7 +178,7 @@ fn one(
         passive: found
             .iter()
             .flat_map(|structure| &structure.passive)
-            .map(|one| passive_name(mechanism, one.part))
+            .map(|one| one.part.words(mechanism))
             .collect(),
         why: found.err().map(|error| error.describe()),
         simpler: false,

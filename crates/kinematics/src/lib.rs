@@ -51,7 +51,7 @@ pub use lanes::LanePosition;
 pub use linkage::{Linkage, Position};
 pub use modes::Modes;
 pub use motion::{PointMotion, ScalarMotion, continuous_angle, first_angle};
-pub use passive::{Closing, Length, Misfit, decompose};
+pub use passive::{Closing, Misfit, decompose};
 pub use poses::iterated;
 pub use rank::mobility_in;
 pub use ways::{AssemblyRange, Transition, Ways};

@@ -385,6 +385,7 @@ shaking-positions = Shaking force over the cycle
 # The plans of a position.
 plan-with-scale = { $title }: unit { $unit }, 1 mm = { $scale } { $unit }; residual { $residual }
 plan-without-scale = { $title }: unit { $unit }; residual { $residual }
+plans-of = Plans of position { $position } ({ $link } { $at })
 plan-centers = Instant centers
 plan-at-infinity = at infinity, in this direction
 plan-no-relative-motion = no relative motion

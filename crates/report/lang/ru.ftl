@@ -388,6 +388,7 @@ shaking-positions = Неуравновешенная сила за цикл
 # Планы положения.
 plan-with-scale = { $title }: единица { $unit }, 1 мм = { $scale } { $unit }; невязка { $residual }
 plan-without-scale = { $title }: единица { $unit }; невязка { $residual }
+plans-of = Планы положения { $position } ({ $link } { $at })
 plan-centers = Мгновенные центры скоростей
 plan-at-infinity = в бесконечности, в этом направлении
 plan-no-relative-motion = без относительного движения

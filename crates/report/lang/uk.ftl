@@ -388,6 +388,7 @@ shaking-positions = Незрівноважена сила за цикл
 # Плани положення.
 plan-with-scale = { $title }: одиниця { $unit }, 1 мм = { $scale } { $unit }; нев'язка { $residual }
 plan-without-scale = { $title }: одиниця { $unit }; нев'язка { $residual }
+plans-of = Плани положення { $position } ({ $link } { $at })
 plan-centers = Миттєві центри швидкостей
 plan-at-infinity = у нескінченності, у цьому напрямі
 plan-no-relative-motion = без відносного руху

@@ -25,3 +25,5 @@ structure-alike = the points `{ $one }` and `{ $other }` occur in one link each 
 structure-slide-angles = the angle of slide `{ $slide }` differs by { $off } from what the other slides require, so no position satisfies them all; a link whose x axis does not lie along its guide needs a `tilt`, here `tilt = "{ $tilt }"`
 structure-slide-on-pinned = nothing is left to move in slide `{ $slide }`: pin `{ $pin }` joins the same two links
 structure-alone = a point name used in two links makes a pin there; these points are in one link only: { $points }
+structure-passive-link = link { $link }
+structure-passive-pair = pair { $pair } of { $link }

@@ -71,6 +71,20 @@ pub enum PassivePart {
     Pair(PairId, LinkId),
 }
 
+impl PassivePart {
+    /// The part in words: `link rod3`.
+    pub fn words(self, mechanism: &Mechanism) -> Text {
+        match self {
+            Self::Link(link) => text!("structure-passive-link", link = &mechanism.named_link(link)),
+            Self::Pair(pair, link) => text!(
+                "structure-passive-pair",
+                pair = &mechanism.named_pair(pair),
+                link = &mechanism.named_link(link)
+            ),
+        }
+    }
+}
+
 /// A part that is left out of the groups.
 #[derive(Debug, Clone)]
 pub struct Passive {

@@ -49,7 +49,7 @@ pub(crate) fn run(args: &AnalyzeArgs, style: Style) -> Result<Status, Fault> {
             analysis.peaks =
                 assur_book::peaks(&study, &analysis.positions, &study.edges(&analysis.positions));
             let report = report::report(&analysis, &study.linkage, positions.as_deref(), style.words());
-            output.write(report.map_err(Fault::told)? + &plans::text(&analysis, style), status)
+            output.write(report.map_err(Fault::told)?, status)
         }
     };
     drop(line);

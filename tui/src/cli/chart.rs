@@ -6,6 +6,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use assur_analysis::Options;
+use assur_report::{json, text as report};
 use assur_study::chart::{self, ChartData, ChartError};
 use assur_words::{Describe, text, text_of};
 use clap::Args;
@@ -71,8 +72,8 @@ pub(crate) fn run(args: &ChartArgs, style: Style) -> Result<Status, Fault> {
         return output.write(picture, status);
     }
     let text = match args.format {
-        Format::Text => chart::text(&data, style.words(), chart::WIDTH),
-        Format::Json => data.to_json().map_err(Fault::other)?,
+        Format::Text => report::told(style.words(), |page| data.tell(page)),
+        Format::Json => json::to_json(&data, style.ascii_data).map_err(Fault::told)?,
         Format::Csv => chart::csv(&data).map_err(Fault::told)?,
     };
     output.write(text, status)

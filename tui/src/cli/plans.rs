@@ -123,24 +123,3 @@ impl PlanArgs {
         Ok(status)
     }
 }
-
-/// The plans as tables, each position under its heading.
-pub(crate) fn text(analysis: &Analysis, style: Style) -> String {
-    let mut text = String::new();
-    for plans in &analysis.cycle.plans {
-        let coordinate = if analysis.input.angular {
-            words::quantity(format_args!("{:.4}", plans.sheet.coordinate.to_degrees()), "deg")
-        } else {
-            words::quantity(format_args!("{:.6}", plans.sheet.coordinate), "m")
-        };
-        let (position, link) = (words::number(plans.index), analysis.input.link.name.clone());
-        let heading = text!("cli-plans-of", position, link, at = coordinate);
-        let heading = heading.render(style.language);
-        let rule = "-".repeat(heading.chars().count());
-        text += &style.text(&format!(
-            "\n{heading}\n{rule}\n{}",
-            assur_report::text::told(style.words(), |page| assur_report::topic::plans(&plans.sheet, page))
-        ));
-    }
-    text
-}

@@ -202,7 +202,7 @@ pub(crate) fn stability(args: &StabilityArgs, style: Style) -> Result<Status, Fa
     let ControlFlow::Continue(found) = found else { return Err(Fault::Other(text!("cli-study-stopped"))) };
     let found = found.map_err(|error| Fault::Scene(session.in_file(error.describe())))?;
     let text = match args.format {
-        Format::Json => found.to_json().map_err(Fault::other)?,
+        Format::Json => json::to_json(&found, style.ascii_data).map_err(Fault::told)?,
         Format::Csv => found.to_csv().map_err(Fault::told)?,
         Format::Text => report::told(style.words(), |page| found.tell(page)),
     };

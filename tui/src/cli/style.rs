@@ -43,7 +43,7 @@ impl Style {
         Self { ascii, ascii_data, language: language.unwrap_or_else(Language::english), strict: false }
     }
 
-    pub(crate) fn words(self) -> assur_report::text::Style<'static> {
+    pub(crate) fn words(self) -> assur_report::text::Style {
         assur_report::text::Style { ascii: self.ascii, language: self.language }
     }
 

@@ -46,8 +46,6 @@ pub use assur_number::{Extreme, Statistic};
 pub use column::{Column, Owner, Part, Quantity};
 pub use dynamics::{Dynamics, EnergyMass, EnergyMassTangent, RegimeOverCycle};
 pub use schema::{Schema, Section};
-pub use structure::{
-    ClosingReport, GroupReport, ModeReport, PassiveReport, StructureReport, passive, passive_name,
-};
+pub use structure::{GroupReport, ModeReport, StructureReport};
 pub use survey::Survey;
 pub use table::{Cells, Mask, Table};

@@ -1,9 +1,8 @@
 //! Mobility, groups and formula as results show them.
 
 use assur_group::{Mode, Order, Pair};
-use assur_kinematics::{Length, Linkage, Misfit, Modes, mobility_in};
-use assur_mechanism::{GROUND, Key, LinkId, Mechanism, Name, Named, PairId, Point};
-use assur_structure::PassivePart;
+use assur_kinematics::{Linkage, Misfit, Modes, mobility_in};
+use assur_mechanism::{LinkId, Name, Named, PairId, Point};
 use assur_words::{Text, number, text};
 use indexmap::IndexMap;
 use serde::Serialize;
@@ -31,47 +30,7 @@ pub struct StructureReport {
     pub groups: Vec<GroupReport>,
     /// What repeats constraints of others, in the order in which it was left out.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub passive: Vec<PassiveReport>,
-}
-
-/// A passive part, and how well it fits.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct PassiveReport {
-    /// The part in words: `link rod3`.
-    pub what: Text,
-    /// The link, where it is one.
-    #[serde(skip)]
-    pub link: Option<LinkId>,
-    /// Greatest distance over the cycle between the two places that it should keep together, m.
-    pub misfit: f64,
-    /// The angle by which a slide of it misses, rad, where an angle is its greatest misfit.
-    #[serde(skip)]
-    pub angle: Option<f64>,
-    /// Up to this it fits, m.
-    pub limit: f64,
-    /// Where it is greatest, rad or m.
-    pub at: f64,
-    /// The length that would close, where it does not fit and one alone does.
-    pub closes: Option<ClosingReport>,
-}
-
-impl PassiveReport {
-    /// Whether it fits.
-    pub fn fits(&self) -> bool {
-        self.misfit <= self.limit
-    }
-}
-
-/// A number of the scene with which a passive part would fit.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct ClosingReport {
-    /// Its key.
-    pub key: Key,
-    /// The value, m or rad.
-    pub value: f64,
-    /// Whether it is an angle.
-    #[serde(skip)]
-    pub is_angle: bool,
+    pub passive: Vec<Misfit>,
 }
 
 /// One group.
@@ -127,59 +86,7 @@ pub(crate) fn report(linkage: &Linkage, whole: bool) -> StructureReport {
         moving_links: structure.mobility.moving_links,
         pairs: structure.mobility.pairs,
         groups: groups(linkage),
-        passive: passive(linkage),
-    }
-}
-
-/// A part in words: `link rod3`.
-pub fn passive_name(mechanism: &Mechanism, part: PassivePart) -> Text {
-    match part {
-        PassivePart::Link(link) => text!("analysis-passive-link", link = &mechanism.named_link(link)),
-        PassivePart::Pair(pair, link) => text!(
-            "analysis-passive-pair",
-            pair = &mechanism.named_pair(pair),
-            link = &mechanism.named_link(link)
-        ),
-    }
-}
-
-/// The passive parts of a mechanism.
-pub fn passive(linkage: &Linkage) -> Vec<PassiveReport> {
-    let mechanism = &linkage.mechanism;
-    let of = |found: &Misfit| PassiveReport {
-        what: passive_name(mechanism, found.part),
-        link: if let PassivePart::Link(link) = found.part { Some(link) } else { None },
-        misfit: found.misfit,
-        angle: found.angle,
-        limit: found.limit,
-        at: found.at,
-        closes: found.closes.as_ref().map(|closing| ClosingReport {
-            key: key(mechanism, closing.number),
-            value: closing.value,
-            is_angle: closing.number.is_angle(),
-        }),
-    };
-    linkage.misfits.iter().map(of).collect()
-}
-
-/// The key of a number in the scene: `link.rod3.points.B`.
-fn key(mechanism: &Mechanism, number: Length) -> Key {
-    let slide = |slide: usize| Key::of("slide").at(&mechanism.slides[slide].name);
-    match number {
-        Length::Point(point, GROUND, axis) => {
-            Key::of("ground").at("points").at(&mechanism.points[point].name).at(axis)
-        }
-        Length::Point(point, link, axis) => {
-            let at = mechanism.place_in(point, link).unwrap_or_default();
-            let link = Key::of("link").at(&mechanism.links[link].name);
-            let key = link.at("points").at(&mechanism.points[point].name);
-            // On the x axis of a link a point is written as one number.
-            if at[1].abs() > 0.0 || axis == 1 { key.at(axis) } else { key }
-        }
-        Length::SlidePoint(id, axis) => slide(id).at("point").at(axis),
-        Length::Through(id, axis) => slide(id).at("through").at(axis),
-        Length::Angle(id) => slide(id).at("angle"),
-        Length::Tilt(id) => slide(id).at("tilt"),
+        passive: linkage.misfits.clone(),
     }
 }
 

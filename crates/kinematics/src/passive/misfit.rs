@@ -1,10 +1,12 @@
 //! How much what is left out misses what it should keep together.
 
 use assur_group::{Body, Order, Pair, PairGeometry};
-use assur_mechanism::{Mechanism, PairId, Range};
+use assur_mechanism::{GROUND, Key, Mechanism, PairId, Range};
 use assur_number::elementary;
 use assur_number::search::least;
 use assur_structure::{NamedPair, Passive, PassivePart, Structure};
+use assur_words::Text;
+use serde::Serialize;
 
 use crate::passive::hang::Hanging;
 use crate::{Linkage, Position};
@@ -19,14 +21,18 @@ const FITS: f64 = 1e-9;
 const STEPS: usize = 12;
 
 /// What a passive part misses over the cycle.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Misfit {
+    /// The part in words: `link rod3`.
+    pub what: Text,
     /// The part.
+    #[serde(skip)]
     pub part: PassivePart,
     /// Greatest distance between the two places that a pair of it should keep together; of a slide the greater of the distance
     /// and of the angle times the size of the mechanism, m.
     pub misfit: f64,
     /// The angle by which a slide misses, rad, where an angle is the greatest misfit.
+    #[serde(skip)]
     pub angle: Option<f64>,
     /// Up to this it fits, m.
     pub limit: f64,
@@ -44,17 +50,20 @@ impl Misfit {
 }
 
 /// A number of the mechanism with which a passive part would fit.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Closing {
-    /// Which number.
-    pub number: Length,
+    /// Its key in the scene: `link.rod3.points.B`.
+    pub key: Key,
     /// Its value, m or rad.
     pub value: f64,
+    /// Whether it is an angle.
+    #[serde(skip)]
+    pub is_angle: bool,
 }
 
 /// A number in the geometry of a pair.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Length {
+enum Length {
     /// Coordinate (0: x, 1: y) of a point in a link.
     Point(usize, usize, usize),
     /// Coordinate of the point of a slide, in the sliding link.
@@ -131,7 +140,8 @@ impl<'a> Cycle<'a> {
         });
         let angle = (turned && worst.1 > 0.0).then_some(misfit / scale);
         let closes = if misfit > limit { self.closing(passive, limit) } else { None };
-        Misfit { part: passive.part, misfit, angle, limit, at, closes }
+        let what = passive.part.words(&self.linkage.mechanism);
+        Misfit { what, part: passive.part, misfit, angle, limit, at, closes }
     }
 
     /// The first number of the part's pairs, the last pair first, that alone makes it fit over the whole cycle.
@@ -141,7 +151,7 @@ impl<'a> Cycle<'a> {
         let all = passive.frame.outer.iter().rev().flat_map(of_pair);
         all.into_iter().find_map(|number| {
             let value = self.closed_by(passive, number, limit)?;
-            Some(Closing { number, value })
+            Some(Closing { key: number.key(mechanism), value, is_angle: number.is_angle() })
         })
     }
 
@@ -254,7 +264,7 @@ fn lengths(mechanism: &Mechanism, structure: &Structure, passive: &Passive, pair
 
 impl Length {
     /// The number in a mechanism.
-    pub fn of(self, mechanism: &mut Mechanism) -> Option<&mut f64> {
+    fn of(self, mechanism: &mut Mechanism) -> Option<&mut f64> {
         Some(match self {
             Self::Point(point, link, axis) => {
                 let places = &mut mechanism.points[point].places;
@@ -267,8 +277,29 @@ impl Length {
         })
     }
 
+    /// Its key in the scene.
+    fn key(self, mechanism: &Mechanism) -> Key {
+        let slide = |slide: usize| Key::of("slide").at(&mechanism.slides[slide].name);
+        match self {
+            Self::Point(point, GROUND, axis) => {
+                Key::of("ground").at("points").at(&mechanism.points[point].name).at(axis)
+            }
+            Self::Point(point, link, axis) => {
+                let at = mechanism.place_in(point, link).unwrap_or_default();
+                let link = Key::of("link").at(&mechanism.links[link].name);
+                let key = link.at("points").at(&mechanism.points[point].name);
+                // On the x axis of a link a point is written as one number.
+                if at[1].abs() > 0.0 || axis == 1 { key.at(axis) } else { key }
+            }
+            Self::SlidePoint(id, axis) => slide(id).at("point").at(axis),
+            Self::Through(id, axis) => slide(id).at("through").at(axis),
+            Self::Angle(id) => slide(id).at("angle"),
+            Self::Tilt(id) => slide(id).at("tilt"),
+        }
+    }
+
     /// Whether it is an angle, rad; otherwise a length, m.
-    pub fn is_angle(self) -> bool {
+    fn is_angle(self) -> bool {
         matches!(self, Self::Angle(_) | Self::Tilt(_))
     }
 }

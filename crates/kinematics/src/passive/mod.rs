@@ -15,7 +15,7 @@ use assur_mechanism::{GROUND, Mechanism};
 use assur_structure::{Structure, StructureError};
 
 pub(crate) use misfit::misfits;
-pub use misfit::{Closing, Length, Misfit};
+pub use misfit::{Closing, Misfit};
 
 /// Slides that hold a link at two different angles, which no position can satisfy: a slide fixes the angle of one link to the other's.
 fn angles_of_slides(mechanism: &Mechanism, links: &[String]) -> Option<StructureError> {

@@ -20,7 +20,7 @@ pub(super) struct Ready {
 }
 
 impl Ready {
-    pub(super) fn of(column: &Printed, style: Style<'_>) -> Self {
+    pub(super) fn of(column: &Printed, style: Style) -> Self {
         let cells = column.cells.iter().map(|cell| vec![style.line(cell)]).collect();
         let (head, unit) = (vec![style.line(&column.head)], style.line(&unit(column.unit)));
         let right = column.of_numbers;
@@ -114,7 +114,7 @@ pub(super) fn grid(columns: &[&Ready], rows: usize) -> Vec<Line> {
 }
 
 /// Rows in aligned columns below their heads and a line; columns of numbers are flush right.
-pub fn columns(head: &[Text], rows: &[Vec<Cell>], style: Style<'_>) -> String {
+pub fn columns(head: &[Text], rows: &[Vec<Cell>], style: Style) -> String {
     let heads = head.iter().cloned().map(Column::of);
     let (keys, groups) = Table::list(Text::default(), heads).rows(rows.iter().cloned()).printed();
     let all = keys.iter().chain(groups.iter().flatten()).map(|column| Ready::of(column, style));

@@ -1,6 +1,9 @@
 //! Blocks of a document as lines of a width: for a page of the text report, and for a view of the terminal UI.
 
 use assur_book::{Block, Cell, Column, Document, Fact, Printed, Table, Term};
+use assur_figure::Figure;
+use assur_figure::Zoom;
+use assur_figure::cells::{self, Look, Marker};
 use assur_words::{Text, text};
 use unicode_width::UnicodeWidthStr;
 
@@ -13,6 +16,8 @@ const WIDTH: usize = 100;
 const MOST_ROWS: usize = 4096;
 /// Lines of a table that are shown, all its blocks together: sixteen blocks of the most positions that are kept.
 const MOST_LINES: usize = 16 * MOST_ROWS;
+/// Rows of a figure in characters.
+const FIGURE: u16 = 24;
 /// A fact whose value is longer has lines of its own, since columns don't break.
 const LONG: usize = 30;
 /// Columns of the facts of the first section: what is asked for first is read on a terminal.
@@ -21,12 +26,12 @@ const SCREEN: usize = 78;
 const NARROW: usize = 60;
 
 /// A document as a text.
-pub fn written(document: &Document, style: Style<'_>) -> String {
+pub fn written(document: &Document, style: Style) -> String {
     joined(&lines(&document.blocks, style, WIDTH))
 }
 
 /// Blocks as lines of at most `width` columns.
-pub fn lines(blocks: &[Block], style: Style<'_>, width: usize) -> Vec<Line> {
+pub fn lines(blocks: &[Block], style: Style, width: usize) -> Vec<Line> {
     let mut page = Page { lines: Vec::new(), style, width, sections: 0 };
     for block in blocks {
         page.block(block);
@@ -36,14 +41,14 @@ pub fn lines(blocks: &[Block], style: Style<'_>, width: usize) -> Vec<Line> {
 
 /// A page that is being written.
 #[derive(Debug)]
-struct Page<'l> {
+struct Page {
     lines: Vec<Line>,
-    style: Style<'l>,
+    style: Style,
     width: usize,
     sections: usize,
 }
 
-impl Page<'_> {
+impl Page {
     fn block(&mut self, block: &Block) {
         match block {
             Block::Title(title) => self.underlined(self.style.line(title), "="),
@@ -53,8 +58,7 @@ impl Page<'_> {
             Block::Facts { caption, facts } => self.facts(caption, facts),
             Block::Table(table) => self.table(table),
             Block::Equation(terms) => self.equation(terms),
-            // Lines have no drawings.
-            Block::Figure { .. } => {}
+            Block::Figure { frames, caption, .. } => self.figure(frames.first(), caption),
         }
     }
 
@@ -66,6 +70,25 @@ impl Page<'_> {
         let rule = with.repeat(line.width());
         self.push(LineKind::Heading, line);
         self.push(LineKind::Rule, rule);
+    }
+
+    /// A figure in characters.
+    fn figure(&mut self, figure: Option<&Figure>, caption: &Text) {
+        let Some(figure) = figure else { return };
+        let Style { language, ascii } = self.style;
+        let marker = if ascii { Marker::Ascii } else { Marker::Braille };
+        let look = Look { marker, ratio: 2.0, zoom: Zoom::WHOLE, language };
+        let mut rows = vec![vec![' '; self.width]; usize::from(FIGURE)];
+        let width = u16::try_from(self.width).unwrap_or(u16::MAX);
+        for spot in cells::draw(figure, [width, FIGURE], look) {
+            let row = &mut rows[usize::from(spot.row)][usize::from(spot.column)..];
+            for (cell, letter) in row.iter_mut().zip(spot.text.chars()) {
+                *cell = if ascii && letter == '│' { '|' } else { letter };
+            }
+        }
+        self.push(LineKind::Words, "");
+        rows.into_iter().for_each(|row| self.push(LineKind::Words, String::from_iter(row).trim_end()));
+        self.paragraph(caption);
     }
 
     /// A numbered heading.

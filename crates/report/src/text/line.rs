@@ -11,9 +11,9 @@ use crate::to_ascii;
 
 /// How a text is written.
 #[derive(Debug, Clone, Copy)]
-pub struct Style<'l> {
+pub struct Style {
     /// Its language.
-    pub language: &'l Language,
+    pub language: &'static Language,
     /// No character beyond ASCII.
     pub ascii: bool,
 }
@@ -46,7 +46,7 @@ pub(super) fn joined(lines: &[Line]) -> String {
     lines.iter().flat_map(|line| [line.text.as_str(), "\n"]).collect()
 }
 
-impl Style<'_> {
+impl Style {
     /// English, with all characters.
     pub fn english() -> Self {
         Self { language: Language::english(), ascii: false }

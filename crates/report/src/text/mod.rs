@@ -19,7 +19,7 @@ pub use layout::{lines, written};
 pub use line::{Line, LineKind, Style};
 
 /// The text of a topic alone: of the blocks that it adds to a document.
-pub fn told(style: Style<'_>, topic: impl FnOnce(&mut Document)) -> String {
+pub fn told(style: Style, topic: impl FnOnce(&mut Document)) -> String {
     let mut page = Document::default();
     topic(&mut page);
     written(&page, style)
@@ -31,7 +31,7 @@ pub fn report(
     analysis: &Analysis,
     linkage: &Linkage,
     positions: Option<&[usize]>,
-    style: Style<'_>,
+    style: Style,
 ) -> Result<String, NotFinite> {
     let source = Source::of(finite_analysis(analysis)?, linkage, positions);
     Ok(written(&topic::report(&source), style))
@@ -40,7 +40,7 @@ pub fn report(
 /// What a study found as a page of its topic.
 pub fn page<T: Serialize>(
     found: &T,
-    style: Style<'_>,
+    style: Style,
     topic: fn(&T, &mut Document),
 ) -> Result<String, NotFinite> {
     let found = finite(found)?;

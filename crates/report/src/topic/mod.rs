@@ -137,6 +137,12 @@ pub fn report(source: &Source<'_>) -> Document {
         page.heading(text!("report-checks"));
         checks(&analysis.checks, &mut page);
     }
+    for found in &analysis.cycle.plans {
+        let at = source.coordinate().show(found.sheet.coordinate);
+        let (position, link) = (assur_words::number(found.index), Text::from(&analysis.input.link));
+        page.heading(text!("plans-of", position, link, at));
+        plans(&found.sheet, &mut page);
+    }
     page
 }
 

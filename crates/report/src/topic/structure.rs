@@ -1,9 +1,9 @@
 //! Structure: mobility, pairs and groups.
 
-use assur_analysis::results::{PassiveReport, StructureReport};
+use assur_analysis::results::StructureReport;
 use assur_analysis::{GroupModes, PossibleInput, StructureStudy};
 use assur_book::{Block, Column, Document, Table, Term, Unit, link_name, row};
-use assur_kinematics::{CourseEnd, ModeMeeting, Unlisted};
+use assur_kinematics::{CourseEnd, Misfit, ModeMeeting, Unlisted};
 use assur_mechanism::Named;
 use assur_structure::roman;
 use assur_words::{Text, joined, list, name, number, text};
@@ -36,7 +36,7 @@ fn counted(structure: &StructureReport, angular: bool, page: &mut Document) {
 }
 
 /// A passive part in words, with its misfit where it has one.
-pub fn passive_part(passive: &PassiveReport, angular: bool) -> Text {
+pub fn passive_part(passive: &Misfit, angular: bool) -> Text {
     if passive.fits() {
         return text!("report-passive", what = &passive.what);
     }

@@ -2,9 +2,11 @@
 
 use std::fmt::Write;
 
-use assur_report::text::Style;
-use assur_study::chart::{ChartData, Measurement, Stage, WIDTH, stage_text, units};
+use assur_report::text::{Style, told};
+use assur_study::chart::{ChartData, Measurement, Stage};
 use assur_words::Describe;
+
+use crate::units;
 
 /// Errors for which the fastest method is reported.
 const WANTED: [f64; 5] = [1e-2, 1e-4, 1e-6, 1e-9, 1e-12];
@@ -20,8 +22,8 @@ pub(crate) fn chapter(data: &ChartData, file: &str) -> String {
         for sentence in words(data, stage) {
             let _ = writeln!(text, "* {sentence}");
         }
-        let drawn = stage_text(data, stage, Style::english(), WIDTH, |row| row.front);
-        let _ = write!(text, "\n```text\n{}```\n", drawn.split_once('\n').map_or("", |(_, rest)| rest));
+        let drawn = told(Style::english(), |page| data.tell_stage(stage, |row| row.front, page));
+        let _ = write!(text, "\n```text\n{drawn}```\n");
     }
     text
 }

@@ -2,6 +2,7 @@
 
 mod chapter;
 mod summary;
+mod units;
 
 use std::ops::ControlFlow;
 use std::time::Instant;

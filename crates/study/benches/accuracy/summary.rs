@@ -2,10 +2,11 @@
 
 use std::fmt::Write;
 
-use assur_study::chart::{ChartData, Measurement, SettingValue, Stage, units};
+use assur_study::chart::{ChartData, Measurement, SettingValue, Stage};
 use assur_words::Describe;
 
 use crate::chapter::fastest;
+use crate::units;
 
 /// Errors for which the summary gives the fastest method.
 const WANTED: [f64; 4] = [1e-3, 1e-6, 1e-9, 1e-12];

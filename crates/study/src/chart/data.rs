@@ -3,10 +3,8 @@
 use std::collections::BTreeMap;
 
 use assur_report::csv::{CsvError, finished};
-use assur_words::{Describe, Text, joined, list, name, text};
+use assur_words::{Describe, Text, joined, list, name, number, text};
 use serde::{Serialize, Serializer};
-
-use super::units::short;
 
 /// Speed versus accuracy of one scene.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -120,6 +118,14 @@ impl Serialize for Setting {
     }
 }
 
+/// A number in few characters: `1e-6`, `3.2e-5`, `0.02`, `24`.
+fn short(value: f64) -> Text {
+    if value == 0.0 || (1e-2..1e4).contains(&value.abs()) {
+        return number((1e3 * value).round() / 1e3);
+    }
+    number(format!("{value:.1e}").replace(".0e", "e"))
+}
+
 impl Describe for Setting {
     fn describe(&self) -> Text {
         list(self.0.iter().map(|setting| match *setting {
@@ -205,11 +211,6 @@ impl ChartData {
     /// The rows of a stage.
     pub fn of(&self, stage: Stage) -> impl Iterator<Item = &Measurement> {
         self.rows.iter().filter(move |row| row.stage == stage)
-    }
-
-    /// One line of JSON, in the format of results.
-    pub fn to_json(&self) -> Result<String, serde_json::Error> {
-        serde_json::to_string(self).map(|line| line + "\n")
     }
 }
 

@@ -1,17 +1,14 @@
 //! The chart as a figure.
 
-use assur_book::{Cell, row};
-use assur_figure::cells::{self, Look, Marker};
 use assur_figure::{
-    Axis, AxisKind, Figure, Frame, Ink, Item, Key, Panel, Point, Sample, Sign, Stroke, Zoom, extent,
+    Axis, AxisKind, Figure, Frame, Ink, Item, Key, Panel, Point, Sample, Sign, Stroke, extent,
 };
-use assur_report::text::{Style, columns};
-use assur_words::{Describe, Text, name, number, text, unit};
+use assur_words::{Text, name, text, unit};
 
-use super::{ChartData, Measurement, Stage, units};
+use super::{ChartData, Measurement, Stage};
 
 /// Explanation of the line that joins the best rows.
-const FRONT: Text = text!("chart-front");
+pub(super) const FRONT: Text = text!("chart-front");
 
 /// Least error that is drawn: below it two results differ by rounding alone.
 const LEAST_ERROR: f64 = 1e-17;
@@ -27,7 +24,7 @@ pub fn figure(data: &ChartData) -> Figure {
 }
 
 /// The methods of a stage that have a time and an error; `None` if there are none.
-fn panel(data: &ChartData, stage: Stage) -> Option<Panel> {
+pub(super) fn panel(data: &ChartData, stage: Stage) -> Option<Panel> {
     let rows: Vec<(&Measurement, Point)> = data
         .of(stage)
         .filter_map(|row| row.point().map(|(seconds, error)| (row, [seconds, error.max(LEAST_ERROR)])))
@@ -58,90 +55,4 @@ fn panel(data: &ChartData, stage: Stage) -> Option<Panel> {
     items.push(Item::line(front, Stroke::Chain, Ink::Text));
     let title = text!("chart-panel", stage = stage.heading(), work = stage.work(), unit = unit("s"));
     Some(Panel { title, frame: Frame::Axes { x, y, cursor: None }, items })
-}
-
-/// The panel of a stage in `width` columns and `height` rows of characters; empty for a stage without a time and an error.
-pub(super) fn drawn(
-    data: &ChartData,
-    stage: Stage,
-    [width, height]: [u16; 2],
-    style: Style<'static>,
-) -> String {
-    let Some(panel) = panel(data, stage) else { return String::new() };
-    let Style { language, ascii } = style;
-    let marker = if ascii { Marker::Ascii } else { Marker::Braille };
-    let look = Look { marker, ratio: 2.0, zoom: Zoom::WHOLE, language };
-    let mut lines = vec![vec![' '; usize::from(width)]; usize::from(height)];
-    for spot in cells::draw(&Figure::of(panel), [width, height], look) {
-        let line = &mut lines[usize::from(spot.row)][usize::from(spot.column)..];
-        for (cell, letter) in line.iter_mut().zip(spot.text.chars()) {
-            *cell = if ascii && letter == '│' { '|' } else { letter };
-        }
-    }
-    lines.into_iter().map(|line| String::from_iter(line).trim_end().to_owned() + "\n").collect()
-}
-
-/// Columns of a chart by default.
-pub const WIDTH: u16 = 92;
-const HEIGHT: u16 = 24;
-
-/// All stages for a reader, in about `width` columns; only a row of a table may be wider.
-pub fn text(data: &ChartData, style: Style<'static>, width: u16) -> String {
-    let mut text = style.line(&text!("chart-title", title = name(data.title.clone()))) + "\n";
-    if !data.complete {
-        text += &(style.line(&text!("chart-stopped")) + "\n");
-    }
-    for stage in Stage::ALL {
-        if data.of(stage).next().is_some() {
-            text.push('\n');
-            text += &stage_text(data, stage, style, width, |_| true);
-        }
-    }
-    text
-}
-
-/// One stage in about `width` columns; its table has the selected rows.
-pub fn stage_text(
-    data: &ChartData,
-    stage: Stage,
-    style: Style<'static>,
-    width: u16,
-    wanted: fn(&Measurement) -> bool,
-) -> String {
-    let mut text = style.line(&stage.heading()) + "\n";
-    if let Some(how) = data.reference.get(&stage) {
-        let error = data.reference_error.get(&stage).copied().unwrap_or(f64::NAN);
-        let error = number(format_args!("{error:.0e}"));
-        let about = style.line(&text!("chart-reference", how, error));
-        text += &(textwrap::fill(&about, usize::from(width)) + "\n");
-    }
-    let figure = drawn(data, stage, [width, HEIGHT], style);
-    if !figure.is_empty() {
-        let below = style.line(&text!("chart-front-drawn", front = FRONT));
-        text.extend(["\n", figure.as_str(), "  ", &below, "\n"]);
-    }
-    let head = [
-        Text::default(),
-        text!("chart-head-method"),
-        text!("chart-head-setting"),
-        text!("chart-head-time", work = stage.unit()),
-        text!("chart-head-evaluations"),
-        text!("chart-head-error"),
-        Text::default(),
-    ];
-    let rows: Vec<_> = data.of(stage).filter(|row| wanted(row)).map(cells).collect();
-    text + "\n" + &columns(&head, &rows, style)
-}
-
-fn cells(row: &Measurement) -> Vec<Cell> {
-    row![
-        if row.front { "*" } else { " " },
-        &row.method,
-        row.setting.describe(),
-        row.seconds.map(units::time),
-        row.evaluations.map(number),
-        row.error.map(|error| units::error(error, row.at_most)),
-        row.reason.clone().unwrap_or_default(),
-    ]
-    .into()
 }

@@ -1,6 +1,6 @@
 //! Speed versus accuracy: every registered method of every stage that a scene has, over its settings, on the same work.
 //!
-//! [`chart`] measures; [`ChartData`] is the result, as data for JSON, [`csv()`] and [`text()`].
+//! [`chart`] measures; [`ChartData`] is the result, as data for JSON, [`csv()`] and a page ([`ChartData::tell`]).
 //!
 //! * **Errors** are the largest deviation from a reference, relative to the largest value of the same quantity over the
 //!   work. The reference is better than what it judges: extended precision, a closed form, or a tight run of another
@@ -15,14 +15,14 @@ mod forces;
 pub(crate) mod friction;
 pub(crate) mod kinematics;
 mod motion;
+mod page;
 mod race;
 mod run;
 mod steady;
-pub mod units;
 pub(crate) mod work;
 
 pub use data::{ChartData, Measurement, Reference, Setting, SettingValue, Stage, csv};
-pub use figure::{WIDTH, figure, stage_text, text};
+pub use figure::figure;
 pub(crate) use forces::state;
 pub use race::{ChartOptions, Progress};
 pub use run::{ChartError, chart};

@@ -96,11 +96,6 @@ impl Stability {
         self.failure.is_none() && !self.rows.iter().any(|row| row.finding.failed())
     }
 
-    /// As one JSON object in one line.
-    pub fn to_json(&self) -> Result<String, serde_json::Error> {
-        serde_json::to_string(self).map(|text| text + "\n")
-    }
-
     /// All rows as a table with commas, one header row.
     pub fn to_csv(&self) -> Result<String, CsvError> {
         let mut writer = csv::Writer::from_writer(Vec::new());

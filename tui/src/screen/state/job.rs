@@ -7,8 +7,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use assur_analysis::Options;
 use assur_analysis::results::Checks;
-use assur_report::text::{Style, told};
-use assur_study::chart::{self, ChartData};
+use assur_book::Document;
+use assur_study::chart::ChartData;
 use assur_study::stability::Stability;
 use assur_words::Text;
 
@@ -135,19 +135,19 @@ pub(crate) struct Measured {
 }
 
 impl Measured {
-    /// The report in this many columns: conclusions, speed versus accuracy, stability.
-    pub(crate) fn text(&self, style: Style<'static>, width: u16) -> String {
-        let chart = match &self.chart {
-            Ok(data) => chart::text(data, style, width),
-            Err(error) => style.line(error) + "\n",
-        };
+    /// Conclusions, speed versus accuracy, stability.
+    pub(crate) fn tell(&self, page: &mut Document) {
+        if let Some(Ok(found)) = &self.stability {
+            found.conclude(page);
+        }
+        match &self.chart {
+            Ok(data) => data.tell(page),
+            Err(error) => page.paragraph(error.clone()),
+        }
         match &self.stability {
-            None => chart,
-            Some(Err(error)) => format!("{chart}\n{}\n", style.line(error)),
-            Some(Ok(found)) => {
-                let conclusion = told(style, |page| found.conclude(page));
-                format!("{conclusion}\n{chart}\n{}", told(style, |page| found.tell(page)))
-            }
+            Some(Ok(found)) => found.tell(page),
+            Some(Err(error)) => page.paragraph(error.clone()),
+            None => {}
         }
     }
 }

@@ -1,6 +1,5 @@
 //! Formula, groups as a tree, and the chosen group marked in the drawing.
 
-use assur_analysis::results::passive;
 use assur_picture::mechanism::structure;
 use assur_report::topic;
 use assur_words::{self as words, Text, list, name, number, text};
@@ -95,8 +94,8 @@ fn lines(state: &State, scene: &Scene, width: u16) -> Vec<(bool, String)> {
             lines.extend(details.flat_map(|line| indented(line, INDENT)));
         }
     }
-    for passive in passive(linkage) {
-        lines.extend(indented(topic::passive_part(&passive, linkage.angular()), 2));
+    for passive in &linkage.misfits {
+        lines.extend(indented(topic::passive_part(passive, linkage.angular()), 2));
     }
     lines
 }

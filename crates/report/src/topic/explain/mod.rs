@@ -5,7 +5,6 @@ mod stages;
 
 use assur_analysis::Methods;
 use assur_analysis::plan::Plan;
-use assur_analysis::results::passive_name;
 use assur_book::{Document, link_name};
 use assur_mechanism::{LinkId, Mechanism};
 use assur_structure::{Structure, roman};
@@ -51,7 +50,7 @@ fn describe_structure(mechanism: &Mechanism, structure: &Structure, plan: &Plan,
         mobility = number(count.value)
     ));
     if !structure.passive.is_empty() {
-        let parts = structure.passive.iter().map(|passive| passive_name(mechanism, passive.part));
+        let parts = structure.passive.iter().map(|passive| passive.part.words(mechanism));
         page.paragraph(text!("explain-passive", parts = list(parts)));
     }
     page.paragraph(text!("report-formula", formula = &structure.formula));

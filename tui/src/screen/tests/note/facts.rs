@@ -16,7 +16,7 @@ fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
 
-fn in_language(code: &str) -> Style<'static> {
+fn in_language(code: &str) -> Style {
     Style { language: Language::find(code).unwrap(), ascii: false }
 }
 
