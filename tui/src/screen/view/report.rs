@@ -1,8 +1,7 @@
 //! Long texts that are scrolled: the report on the methods, the working of the position, and the pages of motion and drive.
 
-use assur_book::Document;
 use assur_note::working;
-use assur_report::text::{Style, lines as lines_of};
+use assur_report::text::{Style, told_within};
 use assur_words::{Describe, name, text};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -67,13 +66,8 @@ pub(crate) fn lines(state: &State, view: View, width: u16) -> Vec<String> {
     }
     let text = match (view, &state.measured, state.found()) {
         (View::Accuracy, Some(measured), _) => {
-            let mut document = Document::default();
-            measured.tell(&mut document);
             let style = Style { language, ascii: state.look.ascii };
-            return lines_of(&document.blocks, style, width.into())
-                .into_iter()
-                .map(|line| line.text)
-                .collect();
+            told_within(width.into(), style, |page| measured.tell(page))
         }
         (View::Working, _, Some(found)) => {
             match working::of_position(found.plans.calculation(), state.position) {
