@@ -27,6 +27,7 @@ pub(crate) struct DriveMotor {
 }
 
 /// The row of a catalogue; `None` for a motor given by its data.
+#[expect(clippy::ptr_arg, reason = "what is borrowed lives as long as its catalogue")]
 fn row(motor: &Cow<'static, Motor>) -> Option<&'static Motor> {
     if let Cow::Borrowed(row) = motor { Some(row) } else { None }
 }

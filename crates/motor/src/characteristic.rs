@@ -29,6 +29,7 @@ pub struct Characteristic {
     pub breakdown_torque: Option<f64>,
 }
 
+#[expect(clippy::ref_option, reason = "as serde hands it over")]
 fn formula<S: Serializer>(critical_slip: &Option<f64>, serializer: S) -> Result<S::Ok, S::Error> {
     serializer.serialize_str(name(*critical_slip))
 }

@@ -3,9 +3,9 @@
 use std::path::Path;
 
 use assur_analysis::Options;
-use assur_book::{Cell, row};
+use assur_book::{Cell, Column, Table, row};
 use assur_motor::{Motor, MotorFilter, catalogues, flag_meaning, list_motors, rpm};
-use assur_report::text::{columns, told};
+use assur_report::text::{told, told_within};
 use assur_report::topic;
 use assur_scene::{Dimension, quantity};
 use assur_words::{Text, joined, name, number, text, unit};
@@ -35,8 +35,14 @@ pub(crate) fn plugins(style: Style) -> Result<Status, Fault> {
     }
     let head =
         ["cli-plugin-sort", "cli-plugin-name", "cli-plugin-crate", "cli-plugin-what", "cli-plugin-source"];
-    output::print(&columns(&head.map(|id| text!(id)), &rows, style.words()))?;
+    print(head.map(|id| text!(id)), &rows, style)?;
     Ok(Status::Done)
+}
+
+/// Prints a list, each row in one line.
+fn print<const N: usize>(heads: [Text; N], rows: &[Vec<Cell>], style: Style) -> Result<(), Fault> {
+    let table = Table::list(Text::default(), heads.map(Column::of)).rows(rows.iter().cloned());
+    output::print(&told_within(u16::MAX.into(), style.words(), |page| page.table(table)))
 }
 
 pub(crate) fn motors(args: &MotorArgs, style: Style) -> Result<Status, Fault> {
@@ -65,7 +71,7 @@ pub(crate) fn motors(args: &MotorArgs, style: Style) -> Result<Status, Fault> {
         text!("cli-motor-remarks"),
     ];
     let rows: Vec<_> = motors.iter().map(|motor| row(motor, style)).collect();
-    output::print(&columns(&header, &rows, style.words()))?;
+    print(header, &rows, style)?;
     output::print(&remarks(&motors, style))?;
     if motors.is_empty() {
         style.tell(text!("cli-no-motor"));

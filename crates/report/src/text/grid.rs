@@ -1,10 +1,10 @@
 //! Columns of a table side by side.
 
-use assur_book::{Cell, Column, Printed, Table};
-use assur_words::{Text, unit};
+use assur_book::Printed;
+use assur_words::unit;
 use unicode_width::UnicodeWidthStr;
 
-use super::line::{Line, LineKind, Style, joined, wrap};
+use super::line::{Line, LineKind, Style, wrap};
 
 /// Blanks between the columns of a table.
 pub(super) const GAP: usize = 2;
@@ -111,13 +111,4 @@ pub(super) fn grid(columns: &[&Ready], rows: usize) -> Vec<Line> {
             .for_each(|at| line(LineKind::Row(row), &|column| part(column.cells.get(row), at)));
     }
     lines
-}
-
-/// Rows in aligned columns below their heads and a line; columns of numbers are flush right.
-pub fn columns(head: &[Text], rows: &[Vec<Cell>], style: Style) -> String {
-    let heads = head.iter().cloned().map(Column::of);
-    let (keys, groups) = Table::list(Text::default(), heads).rows(rows.iter().cloned()).printed();
-    let all = keys.iter().chain(groups.iter().flatten()).map(|column| Ready::of(column, style));
-    let all: Vec<_> = all.collect();
-    joined(&grid(&all.iter().collect::<Vec<_>>(), rows.len()))
 }

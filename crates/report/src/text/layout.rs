@@ -81,7 +81,9 @@ impl Page {
             }
         }
         self.gap();
-        rows.into_iter().for_each(|row| self.push(LineKind::Words, String::from_iter(row).trim_end()));
+        for row in rows {
+            self.push(LineKind::Words, String::from_iter(row).trim_end());
+        }
         self.paragraph(caption);
     }
 

@@ -14,7 +14,6 @@ use serde::Serialize;
 use crate::json::analysis::finite as finite_analysis;
 use crate::json::{NotFinite, finite};
 use crate::topic::{self, Source};
-pub use grid::columns;
 use layout::WIDTH;
 pub use layout::lines;
 use line::joined;
@@ -25,7 +24,7 @@ pub fn told(style: Style, topic: impl FnOnce(&mut Document)) -> String {
     told_within(WIDTH, style, topic)
 }
 
-/// The text of a topic alone in lines of at most `width` columns.
+/// The text of a topic alone in lines of at most `width` columns; `u16::MAX` folds nothing.
 pub fn told_within(width: usize, style: Style, topic: impl FnOnce(&mut Document)) -> String {
     let mut page = Document::default();
     topic(&mut page);

@@ -1,6 +1,5 @@
 //! Digits and columns.
 
-use super::columns;
 use super::line::wrap;
 use super::{Style, told};
 use assur_all as _;
@@ -10,7 +9,7 @@ use assur_book::{Column, Table, Unit, row};
 use assur_diagram::{PlanSheet, PlanVector, VectorKind, VectorPlan};
 use assur_words::{Language, Text, name, number};
 
-fn ascii() -> Style<'static> {
+fn ascii() -> Style {
     Style { ascii: true, ..Style::english() }
 }
 
@@ -18,11 +17,13 @@ fn ascii() -> Style<'static> {
 fn columns_of_words_are_flush_left_and_of_numbers_flush_right() {
     let head = ["pair", "N"].map(name);
     let rows = [("A", "1.5"), ("größe", "-12.25")].map(|(word, digits)| row![word, number(digits)].to_vec());
-    let plain = columns(&head, &rows, Style::english());
+    let table = Table::list(Text::default(), head.map(Column::of)).rows(rows);
+    let columns = |style| told(style, |page| page.table(table.clone()));
+    let plain = columns(Style::english());
     assert_eq!(plain, "pair        N\n-----  ------\nA         1.5\ngröße  -12.25\n");
-    assert!(columns(&head, &rows, ascii()).contains("groesse  -12.25\n"));
+    assert!(columns(ascii()).contains("groesse  -12.25\n"));
     let russian = Style { language: Language::find("ru").unwrap(), ascii: false };
-    assert!(columns(&head, &rows, russian).contains("größe  −12,25\n"));
+    assert!(columns(russian).contains("größe  −12,25\n"));
 }
 
 #[test]
