@@ -58,8 +58,7 @@ impl Axis {
         let found = document.find(&vary.key).map_err(fault)?;
         let (from, to) = ends(vary).map_err(fault)?;
         let numbers: Vec<_> = found.iter().filter_map(|place| scene.number(&place.span)).collect();
-        let kinds = kinds(vary, &found, &numbers).map_err(fault)?;
-        let dimension = dimension(vary, &kinds, [&from, &to]).map_err(fault)?;
+        let dimension = measured(vary, &found, &numbers, [&from, &to]).map_err(fault)?;
         let (from, to) = in_one_unit(from, to, dimension).map_err(fault)?;
         let suffix = dimension.map(suffix).filter(|unit| !unit.is_empty());
         let column = suffix.map_or(key.clone(), |unit| format!("{key}_{unit}"));
@@ -200,35 +199,29 @@ impl End {
     }
 }
 
-/// The kinds of quantities that may stand at every place that was found; none for a count.
-fn kinds(vary: &Vary, found: &[TextPlace], numbers: &[&SceneNumber]) -> Result<Vec<Dimension>, Text> {
+/// What a parameter measures at every place that was found, as its ends tell where there is a choice; `None` for a count.
+fn measured(
+    vary: &Vary,
+    found: &[TextPlace],
+    numbers: &[&SceneNumber],
+    ends: [&End; 2],
+) -> Result<Option<Dimension>, Text> {
     let Some((first, others)) = numbers.split_first().filter(|_| numbers.len() == found.len()) else {
         let is_text = found.iter().any(|place| place.text.is_some());
         return Err(text!(if is_text { "sweep-text" } else { "sweep-takes-no-number" }, key = &vary.key));
     };
     let shared = |kind: &Dimension| others.iter().all(|other| other.kinds.contains(kind));
     let kinds: Vec<Dimension> = first.kinds.iter().copied().filter(shared).collect();
-    if kinds.is_empty() && numbers.iter().any(|number| !number.is_count()) {
-        return Err(text!("sweep-takes-no-number", key = &vary.key));
-    }
-    Ok(kinds)
-}
-
-/// What the parameter measures; `None` for a count.
-fn dimension(vary: &Vary, kinds: &[Dimension], ends: [&End; 2]) -> Result<Option<Dimension>, Text> {
-    if !kinds.is_empty() {
-        return chosen(kinds, ends).map(Some);
-    }
-    let is_bare = ends.iter().all(|end| end.unit.is_empty());
-    if is_bare { Ok(None) } else { Err(text!("sweep-count", key = &vary.key)) }
-}
-
-/// The kind of quantity of the ends, among those that the scene accepts there.
-fn chosen(kinds: &[Dimension], ends: [&End; 2]) -> Result<Dimension, Text> {
-    let fits = |kind: Dimension, end: &End| end.unit.is_empty() || quantity(&end.text(), kind).is_ok();
-    let fitting: Vec<_> = kinds.iter().filter(|kind| ends.iter().all(|end| fits(**kind, end))).collect();
-    match (fitting.as_slice(), kinds) {
-        ([kind], _) => Ok(**kind),
+    let is_bare = |end: &End| end.unit.is_empty();
+    let fits =
+        |kind: &&Dimension| ends.iter().all(|end| is_bare(end) || quantity(&end.text(), **kind).is_ok());
+    match (kinds.iter().filter(fits).collect::<Vec<_>>().as_slice(), kinds.as_slice()) {
+        ([kind], _) => Ok(Some(**kind)),
+        ([], []) if !numbers.iter().all(|number| number.is_count()) => {
+            Err(text!("sweep-takes-no-number", key = &vary.key))
+        }
+        ([], []) if ends.into_iter().all(is_bare) => Ok(None),
+        ([], []) => Err(text!("sweep-count", key = &vary.key)),
         ([], [kind, ..]) => {
             let wrong = ends.iter().find_map(|end| quantity(&end.text(), *kind).err());
             Err(wrong.map_or_else(|| text!("sweep-different-ends"), |error| error.describe()))

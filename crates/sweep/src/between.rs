@@ -1,59 +1,31 @@
-//! What is found between positions: the motion of parts; where a sweep asks for it, extremes and means of everything.
+//! What is found from the rows of the results: columns as they are; where a sweep asks for it, extremes and means between positions.
 
 use assur_analysis::results::{Column, Edges, Owner, Part, Quantity, Table, Turn};
 use assur_analysis::{Calculation, unwatched};
 use assur_book::{Course, Range, range, range_of};
-use assur_geometry::{Extremes, PartCourses, Stroke, overview};
+use assur_geometry::overview;
 
 use crate::Sweep;
-use crate::layout::{Gathered, ends};
-use crate::measured::Measured;
+use crate::measured::{Gathered, Measured, ends};
 
-/// A point, slide or link over the cycle.
-#[derive(Debug)]
-pub(crate) struct PartCourse {
-    /// Between the extremes of its displacement or angle, m or rad.
-    pub(crate) stroke: Option<f64>,
-    pub(crate) time_ratio: Option<f64>,
-    /// The greatest magnitudes of its first and second derivative with respect to the coordinate.
-    pub(crate) derivatives: [f64; 2],
-}
-
-impl PartCourse {
-    /// The points, then the slides, then the links.
-    pub(crate) fn each(all: &PartCourses) -> Vec<Self> {
-        let part = |pf0: Option<&Extremes>, stroke: Option<&Stroke>, derivatives: [&Extremes; 2]| Self {
-            stroke: pf0.map(|pf0| pf0.max - pf0.min),
-            time_ratio: stroke.and_then(|stroke| stroke.time_ratio),
-            derivatives: derivatives.map(|of| of.min.abs().max(of.max.abs())),
-        };
-        let points = all.points.iter().map(|of| part(None, None, [&of.pf1, &of.pf2]));
-        let slides = all.slides.iter().map(|of| part(Some(&of.pf0), of.stroke.as_ref(), [&of.pf1, &of.pf2]));
-        let links = all.links.iter().map(|of| part(of.pf0.as_ref(), of.stroke.as_ref(), [&of.pf1, &of.pf2]));
-        points.chain(slides).chain(links).collect()
+/// Adds what is found from the rows of the results: between the positions too, where the sweep asks for that, or of the columns
+/// that are measured as they are.
+pub(crate) fn add_rows(found: &mut Measured, calculation: &Calculation, sweep: &Sweep) {
+    let gathered = &sweep.layout.gathered;
+    if !sweep.between && !gathered.iter().any(|of| matches!(of, Gathered::Plain(_))) {
+        return;
     }
-}
-
-impl Measured {
-    /// Adds what is found from the rows of the results: between the positions too, where the sweep asks for that, or of the columns
-    /// that are measured as they are.
-    pub(crate) fn add_rows(&mut self, calculation: &Calculation, sweep: &Sweep) {
-        let gathered = &sweep.layout.gathered;
-        if !sweep.between && !gathered.iter().any(|of| matches!(of, Gathered::Plain(_))) {
-            return;
-        }
-        let Ok(table) = calculation.rows(&mut unwatched) else { return };
-        if sweep.between {
-            let edges = calculation.edges(&table);
-            self.ranges = gathered.iter().map(|of| between(calculation, &table, &edges, of)).collect();
-            return;
-        }
-        for (statistic, of) in self.statistics.iter_mut().zip(gathered) {
-            let Gathered::Plain(column) = of else { continue };
-            let values = table.schema().find(*column).into_iter().flat_map(|column| table.each(column));
-            let numbered = table.numbers().iter().zip(values);
-            *statistic = numbered.filter_map(|(number, value)| Some((*number, value?))).collect();
-        }
+    let Ok(table) = calculation.rows(&mut unwatched) else { return };
+    if sweep.between {
+        let edges = calculation.edges(&table);
+        found.ranges = gathered.iter().map(|of| between(calculation, &table, &edges, of)).collect();
+        return;
+    }
+    for (statistic, of) in found.statistics.iter_mut().zip(gathered) {
+        let Gathered::Plain(column) = of else { continue };
+        let values = table.schema().find(*column).into_iter().flat_map(|column| table.each(column));
+        let numbered = table.numbers().iter().zip(values);
+        *statistic = numbered.filter_map(|(number, value)| Some((*number, value?))).collect();
     }
 }
 

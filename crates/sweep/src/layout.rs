@@ -1,23 +1,18 @@
-//! What a sweep writes of each point: the columns of its measures, and the statistics from which they follow.
-
-use std::sync::Arc;
+//! What a sweep writes of each point: the columns of its measures, and what is gathered for them.
 
 use assur_analysis::plan::Wanted;
 use assur_analysis::results::{Column, Owner, Quantity, Schema};
 use assur_analysis::{Calculation, Options, plan, unwatched};
-use assur_book::Unit;
-use assur_book::catalogue::unit;
+use assur_book::catalogue::{self, PathStep};
 use assur_force::{Joint, joints};
 use assur_kinematics::decompose;
-use assur_mechanism::{LinkId, Mechanism, Motion, SlideId, Torque};
+use assur_mechanism::{Drive, Mechanism, Motion, PairId, Torque};
 use assur_words::{list, name, text};
 
-use crate::measured::Measured;
+use crate::measure::{COLUMNS, Find, In, MeasureColumn, Of, PLAIN};
+use crate::measured::Gathered;
 use crate::reach::Reach;
 use crate::{Measure, SweepError, Target};
-
-/// How a number of a point is found, by the number of what it belongs to: a statistic, a part, a place.
-pub(crate) type Find = fn(&Measured, usize) -> Option<f64>;
 
 /// A column of a measure.
 #[derive(Debug, Clone)]
@@ -27,35 +22,15 @@ pub(crate) struct Value {
     pub(crate) find: Find,
 }
 
-/// A number of a position of which there is a statistic.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) enum Gathered {
-    /// Least determinant of all groups.
-    Health,
-    /// Least transmission angle of all groups.
-    Transmission,
-    /// A coordinate of a point, by its number among the points that are wanted.
-    Point(usize, Column),
-    /// Displacement of a slide.
-    Slide(SlideId),
-    /// Continuous angle of a link.
-    Link(LinkId),
-    /// The balancing load, and its magnitude.
-    Balancing,
-    BalancingSize,
-    /// The greatest force of a pin or slide on one of its links; the statistic at the positions is of its square.
-    Force(Joint),
-    /// The magnitude of the moment of a slide.
-    Moment(Joint),
-    /// A column of the results as it is.
-    Plain(Column),
-}
-
 /// What a sweep writes of each point; the same at every point.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Layout {
     /// The columns of the measures.
     pub(crate) values: Vec<Value>,
+    /// What has columns of its own.
+    asked: Vec<Of>,
+    /// Whether a motor is chosen or given.
+    pub(crate) has_motor: bool,
     /// What has a statistic, each once.
     pub(crate) gathered: Vec<Gathered>,
     /// Places from which a point's distance is measured: the number of the point among those that are wanted, its name, and the
@@ -63,20 +38,29 @@ pub(crate) struct Layout {
     pub(crate) targets: Vec<(usize, String, [f64; 2])>,
     /// The force analyzer, where forces are calculated.
     pub(crate) analyzer: Option<&'static str>,
-    /// Whether a motor is chosen or given.
-    pub(crate) has_motor: bool,
+}
+
+/// What has columns: the beginning of their names, what is measured, and where its numbers are.
+struct Measurand {
+    prefix: String,
+    column: Column,
+    source: Source,
+}
+
+/// Where the numbers of columns are: in a statistic, or under a number.
+enum Source {
+    Statistic(Gathered),
+    Nth(usize),
 }
 
 /// Collects the columns of measures.
-pub(crate) struct Builder<'a> {
-    pub(crate) mechanism: &'a Mechanism,
+struct Builder<'a> {
+    mechanism: &'a Mechanism,
     /// The names of the parts.
-    pub(crate) schema: Schema,
-    /// The columns of the results, where a measure has them as they are.
-    pub(crate) results: Option<Arc<Schema>>,
-    pub(crate) wanted: Wanted,
+    schema: Schema,
+    wanted: Wanted,
     /// Whether a balancing load is found at the positions.
-    pub(crate) balances: bool,
+    balances: bool,
     /// Whether there is a group.
     has_groups: bool,
     /// Pins and slides whose reactions are found.
@@ -84,7 +68,7 @@ pub(crate) struct Builder<'a> {
     reach: Reach,
     /// Whether columns that no parameter can change are written too.
     whole: bool,
-    pub(crate) layout: Layout,
+    layout: Layout,
 }
 
 impl Layout {
@@ -109,15 +93,28 @@ impl Layout {
             Ok::<_, SweepError>((point, target.point.clone(), target.at))
         };
         to.layout.targets = targets.iter().map(aimed).collect::<Result<_, _>>()?;
-        if measures.iter().any(|measure| measure.put.is_none()) {
-            let found = Calculation::of(mechanism.clone(), options, &mut unwatched);
-            to.results = found.ok().map(|found| found.columns());
-        }
+        to.layout.has_motor = !to.measurands(Of::Motor).is_empty();
+        let found = || Calculation::of(mechanism.clone(), options, &mut unwatched).ok();
+        let results = measures.iter().any(|measure| measure.is_plain).then(found).flatten();
+        let results = results.map(|found| found.columns());
         for measure in measures {
             to.whole = measure.whole;
-            measure.columns(&mut to);
+            if let Some(schema) = results.as_ref().filter(|_| measure.is_plain) {
+                to.add_plain(schema, measure.name);
+            }
+            let same = |one: &MeasureColumn, other: &MeasureColumn| {
+                (one.measure, one.of) == (other.measure, other.of)
+            };
+            for family in COLUMNS.chunk_by(same).filter(|family| family[0].measure == measure.name) {
+                to.add(family[0].of, family);
+            }
         }
         Ok(to.layout)
+    }
+
+    /// Whether one of these has columns.
+    pub(crate) fn asks(&self, wanted: &[Of]) -> bool {
+        self.asked.iter().any(|of| wanted.contains(of))
     }
 }
 
@@ -127,7 +124,6 @@ impl<'a> Builder<'a> {
         let mut to = Self {
             mechanism,
             schema: Schema::new(mechanism),
-            results: None,
             wanted: Wanted::default(),
             balances: false,
             has_groups: false,
@@ -136,9 +132,6 @@ impl<'a> Builder<'a> {
             whole: false,
             layout: Layout::default(),
         };
-        let torque = mechanism.drive.as_ref().map(|drive| &drive.torque);
-        to.layout.has_motor =
-            matches!((&mechanism.motion, torque), (Some(Motion::Steady { .. }), Some(Torque::Motor { .. })));
         let Ok(structure) = decompose(mechanism) else { return to };
         let plan = plan(mechanism, &structure, options);
         to.has_groups = plan.groups_needed.contains(&true);
@@ -156,41 +149,123 @@ impl<'a> Builder<'a> {
         to
     }
 
-    /// Whether there is a group whose positions are of interest.
-    pub(crate) fn has_groups(&self) -> bool {
-        self.has_groups && (self.whole || self.reach.moves_anything())
+    /// Adds columns of the same things, one thing after the other.
+    fn add(&mut self, of: Of, columns: &[MeasureColumn]) {
+        let measurands = self.measurands(of);
+        self.layout.asked.extend((!measurands.is_empty()).then_some(of));
+        for Measurand { prefix, column, source } in measurands {
+            let of = match source {
+                Source::Statistic(what) => self.gather(what),
+                Source::Nth(nth) => nth,
+            };
+            for MeasureColumn { word, unit, find, .. } in columns {
+                let unit = match *unit {
+                    In::Unit(unit) => unit,
+                    In::Coordinate => catalogue::unit(&self.schema, Column::COORDINATE),
+                    In::Own => catalogue::unit(&self.schema, column),
+                    In::Quantity(of) => catalogue::unit(&self.schema, Column::of(of, column.owner)),
+                };
+                let name = unit.column(format!("{prefix}{word}"));
+                self.layout.values.push(Value { name, of, find: *find });
+            }
+        }
+    }
+
+    /// What has columns.
+    fn measurands(&self, of: Of) -> Vec<Measurand> {
+        let (motion, drive) = (&self.mechanism.motion, self.mechanism.drive.as_ref());
+        let is_steady = matches!(motion, Some(Motion::Steady { .. }));
+        let is_driven = |by: fn(&Drive) -> bool| is_steady && drive.is_some_and(by);
+        let has_groups = self.has_groups && (self.whole || self.reach.moves_anything());
+        let one = |is_there: bool, column, source| {
+            let measurand = is_there.then(|| Measurand { prefix: String::new(), column, source });
+            measurand.into_iter().collect()
+        };
+        let whole = |is_there| one(is_there, Column::COORDINATE, Source::Nth(0));
+        let least = |what| one(has_groups, Column::COORDINATE, Source::Statistic(what));
+        let balancing = |what| one(self.balances, Column::BALANCING, Source::Statistic(what));
+        match of {
+            Of::Regime => whole(is_steady),
+            Of::Flywheel => whole(is_driven(|drive| drive.flywheel.is_some())),
+            Of::Motor => whole(is_driven(|drive| matches!(drive.torque, Torque::Motor { .. }))),
+            Of::Torque => {
+                whole(is_driven(|drive| matches!(drive.torque, Torque::Balance | Torque::Constant(_))))
+            }
+            Of::End => whole(matches!(motion, Some(Motion::Transient { .. }))),
+            Of::Friction => whole(!self.mechanism.frictions.is_empty()),
+            Of::Shaking => whole(true),
+            Of::Health => least(Gathered::Health),
+            Of::Transmission => least(Gathered::Transmission),
+            Of::Balancing => balancing(Gathered::Balancing),
+            Of::BalancingSize => balancing(Gathered::BalancingSize),
+            Of::Reactions => self.joints.iter().flat_map(|joint| self.reactions(joint)).collect(),
+            Of::Targets => {
+                let targets = self.layout.targets.iter().enumerate();
+                let prefix = |nth, point| format!("{point}_distance_{}_", nth + 1);
+                let target = targets.map(|(nth, (_, point, _))| Measurand {
+                    prefix: prefix(nth, point),
+                    column: Column::COORDINATE,
+                    source: Source::Nth(nth),
+                });
+                target.collect()
+            }
+            Of::Points | Of::Slides | Of::Links | Of::Moving | Of::Parts => {
+                let Wanted { points, slides, links, .. } = &self.wanted;
+                let points = points.iter().map(|(point, _)| Owner::Point(*point));
+                let parts = points.chain(slides.iter().copied().map(Owner::Slide));
+                let parts = parts.chain(links.iter().copied().map(Owner::Link)).enumerate();
+                parts.flat_map(|(nth, owner)| self.part(of, nth, owner)).collect()
+            }
+        }
+    }
+
+    /// The force of a pin or slide, and the moment of a slide.
+    fn reactions(&self, joint: &Joint) -> Vec<Measurand> {
+        let owner = Owner::Pair(joint.id);
+        let reaction = |word, quantity, what| Measurand {
+            prefix: format!("reaction_{}_{word}", self.schema.name(owner)),
+            column: Column::of(quantity, owner),
+            source: Source::Statistic(what),
+        };
+        let force = || reaction("", Quantity::Force, Gathered::Force(joint.clone()));
+        let moment = || reaction("moment_", Quantity::Moment, Gathered::Moment(joint.clone()));
+        match joint.id {
+            _ if !self.has(owner) => Vec::new(),
+            PairId::Pin(_) => vec![force()],
+            PairId::Slide(_) => vec![force(), moment()],
+        }
+    }
+
+    /// Where a part is, or how it moves; `nth`: its number among points, then slides, then links.
+    fn part(&self, of: Of, nth: usize, owner: Owner) -> Vec<Measurand> {
+        let place = Column::of(Quantity::Transfer(0), owner);
+        let [x, y] = Column::vector(Quantity::Transfer(0), owner);
+        let measurand = |word, column, source| {
+            let prefix = format!("{}{word}", self.schema.name(owner));
+            Measurand { prefix, column, source }
+        };
+        let gathered = |word, column, what| measurand(word, column, Source::Statistic(what));
+        match (of, owner) {
+            (Of::Parts, _) | (Of::Moving, Owner::Slide(_) | Owner::Link(_)) => {
+                vec![measurand("_", place, Source::Nth(nth))]
+            }
+            _ if !self.has(owner) => Vec::new(),
+            (Of::Points, Owner::Point(_)) => {
+                [("_x_", x), ("_y_", y)].map(|(word, of)| gathered(word, of, Gathered::Point(nth, of))).into()
+            }
+            (Of::Slides, Owner::Slide(slide)) => vec![gathered("_", place, Gathered::Slide(slide))],
+            (Of::Links, Owner::Link(link)) => vec![gathered("_angle_", place, Gathered::Link(link))],
+            _ => Vec::new(),
+        }
     }
 
     /// Whether the number of a part is of interest.
-    pub(crate) fn has(&self, owner: Owner) -> bool {
+    fn has(&self, owner: Owner) -> bool {
         self.whole || self.reach.has(owner, self.mechanism)
     }
 
-    /// The pins and slides whose reactions are found and of interest.
-    pub(crate) fn joints(&self) -> Vec<Joint> {
-        let all = self.joints.iter().filter(|joint| self.has(Owner::Pair(joint.id)));
-        all.cloned().collect()
-    }
-
-    /// The unit of a quantity.
-    pub(crate) fn unit(&self, quantity: Quantity, owner: Owner) -> Unit {
-        unit(&self.schema, Column::of(quantity, owner))
-    }
-
-    /// The unit of the coordinate of the input.
-    pub(crate) fn coordinate(&self) -> Unit {
-        self.unit(Quantity::Transfer(0), Owner::Input)
-    }
-
-    /// Adds a column, whose name ends with its unit.
-    pub(crate) fn put(&mut self, name: &str, unit: Unit, of: usize, find: Find) {
-        let suffix = unit.suffix();
-        let name = if suffix.is_empty() { name.to_owned() } else { format!("{name}_{suffix}") };
-        self.layout.values.push(Value { name, of, find });
-    }
-
     /// The number of a statistic.
-    pub(crate) fn gather(&mut self, what: Gathered) -> usize {
+    fn gather(&mut self, what: Gathered) -> usize {
         let gathered = &mut self.layout.gathered;
         gathered.iter().position(|known| *known == what).unwrap_or_else(|| {
             gathered.push(what);
@@ -198,23 +273,19 @@ impl<'a> Builder<'a> {
         })
     }
 
-    /// Points, then slides, then links: what has a course.
-    pub(crate) fn parts(&self) -> Vec<Owner> {
-        let Wanted { points, slides, links, .. } = &self.wanted;
-        let points = points.iter().map(|(point, _)| Owner::Point(*point));
-        let slides = slides.iter().map(|slide| Owner::Slide(*slide));
-        points.chain(slides).chain(links.iter().map(|link| Owner::Link(*link))).collect()
+    /// Adds the columns of the positions under a key of the JSON, as they are.
+    fn add_plain(&mut self, schema: &Schema, key: &str) {
+        let is_there = |column: &&Column| {
+            let path = catalogue::path(schema, **column).unwrap_or_default();
+            path.first().is_some_and(|step| *step == PathStep::Key(key.into()))
+        };
+        for column in schema.columns().iter().filter(is_there) {
+            for (word, find) in PLAIN {
+                if let Some(name) = catalogue::csv_of(schema, *column, word) {
+                    let of = self.gather(Gathered::Plain(*column));
+                    self.layout.values.push(Value { name, of, find });
+                }
+            }
+        }
     }
-}
-
-impl Gathered {
-    /// Whether it is the same under all loads.
-    pub(crate) fn is_of_places(&self) -> bool {
-        matches!(self, Self::Health | Self::Transmission | Self::Point(..) | Self::Slide(_) | Self::Link(_))
-    }
-}
-
-/// How many links of a pin or slide are looked at for its greatest force: the forces on two links are opposite.
-pub(crate) fn ends(joint: &Joint) -> usize {
-    if joint.links.len() == 2 { 1 } else { joint.links.len() }
 }

@@ -29,7 +29,6 @@
 mod angles;
 mod axis;
 mod between;
-mod columns;
 mod error;
 mod layout;
 mod measure;

@@ -1,4 +1,4 @@
-//! The families of columns by their names.
+//! The measures by their names, and their columns: what each is of, what it is called, its unit, and what finds its number.
 
 use assur_analysis::results::Quantity;
 use assur_book::Unit;
@@ -6,22 +6,7 @@ use assur_book::catalogue::KEYS;
 use assur_words::{Describe, Text, list, name as words, text};
 
 use crate::SweepError;
-use crate::columns as of;
-use crate::layout::{Builder, Find, Gathered};
-use crate::measured::{GREATEST, RMS};
-
-/// What is found only where a measure needs it.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Need {
-    /// The motion between positions.
-    Courses,
-    /// The distances of points from places between positions.
-    Distances,
-    /// The shaking force.
-    Shaking,
-    /// The dry friction over the cycle.
-    Friction,
-}
+use crate::measured::Measured;
 
 /// A family of columns.
 #[derive(Debug, Clone, Copy)]
@@ -34,55 +19,183 @@ pub struct Measure {
     pub by_default: bool,
     /// Whether it is named, and written whole then: else without the columns that no parameter can change.
     pub(crate) whole: bool,
-    /// What must be found for it beside the positions, their loads and their motion.
-    pub(crate) need: Option<Need>,
-    /// Adds its columns; `None`: it has all columns of the positions under this key of the JSON as they are.
-    pub(crate) put: Option<fn(&mut Builder<'_>)>,
+    /// Whether it has all columns of the positions under its key as they are.
+    pub(crate) is_plain: bool,
 }
 
-/// What stands before a key of the JSON in the name of the measure of its columns.
-const PLAIN: &str = "positions.";
+/// A column of a measure.
+#[derive(Debug)]
+pub(crate) struct MeasureColumn {
+    /// The name of the measure.
+    pub(crate) measure: &'static str,
+    pub(crate) of: Of,
+    /// The end of its name before the unit.
+    pub(crate) word: &'static str,
+    pub(crate) unit: In,
+    pub(crate) find: Find,
+}
+
+/// What there is a column of. Successive columns of the same are written of one thing after the other.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Of {
+    /// A periodic regime: any, one whose flywheel is sought, with a motor, with another driving torque.
+    Regime,
+    Flywheel,
+    Motor,
+    Torque,
+    /// The end of a transient motion.
+    End,
+    /// Dry friction over the cycle.
+    Friction,
+    /// The shaking force between positions.
+    Shaking,
+    /// Distances from the places that are given, between positions.
+    Targets,
+    /// The least of all groups.
+    Health,
+    Transmission,
+    /// The balancing load, and its magnitude.
+    Balancing,
+    BalancingSize,
+    /// Forces of pins and slides, and moments of slides.
+    Reactions,
+    /// Coordinates of points, displacements of slides, angles of links.
+    Points,
+    Slides,
+    Links,
+    /// The motion between positions: of slides and links; of points too.
+    Moving,
+    Parts,
+}
+
+/// The unit of a column.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum In {
+    /// This one.
+    Unit(Unit),
+    /// That of the coordinate of the input.
+    Coordinate,
+    /// That of what is gathered or moves.
+    Own,
+    /// That of a quantity of its owner.
+    Quantity(Quantity),
+}
+
+/// How a number of a point is found, by the number of what it belongs to: a statistic, a part, a place.
+pub(crate) type Find = fn(&Measured, usize) -> Option<f64>;
+
+const LEAST: Find = |found, number| Some(found.least(number)?[0]);
+const LEAST_AT: Find = |found, number| Some(found.least(number)?[1]);
+const GREATEST: Find = |found, number| Some(found.greatest(number)?[0]);
+const GREATEST_AT: Find = |found, number| Some(found.greatest(number)?[1]);
+const MEAN: Find = |found, number| found.means(number)[0];
+const RMS: Find = |found, number| found.means(number)[1];
+/// The greatest magnitudes of both derivatives of a point, slide or link with respect to the coordinate.
+const FIRST: Find = |found, nth| Some(found.courses.get(nth)?.derivatives[0]);
+const SECOND: Find = |found, nth| Some(found.courses.get(nth)?.derivatives[1]);
+
+/// The statistics of a column of the positions as it is, by the word before the unit.
+pub(crate) const PLAIN: [(&str, Find); 4] = [("min", LEAST), ("max", GREATEST), ("mean", MEAN), ("rms", RMS)];
+
+/// The length of all parts of the cycle together.
+fn total(parts: &[[f64; 2]]) -> f64 {
+    parts.iter().fold(0.0, |sum, [from, to]| sum + (to - from))
+}
+
+/// Makes the list of columns: measure, what the column is of, the end of its name, unit, number.
+macro_rules! columns {
+    ($($measure:literal $of:ident $word:literal $unit:expr, $find:expr;)+) => {
+        /// The columns of all measures, in their order.
+        pub(crate) const COLUMNS: &[MeasureColumn] =
+            &[$(MeasureColumn { measure: $measure, of: Of::$of, word: $word, unit: $unit, find: $find }),+];
+    };
+}
+
+const NONE: In = In::Unit(Unit::NONE);
+const FORCE: In = In::Unit(Unit::FORCE);
+const SPEED: In = In::Quantity(Quantity::Velocity);
+
+columns! {
+    "health" Health "smallest_health" NONE, LEAST;
+    "health" Health "smallest_health_at" In::Coordinate, LEAST_AT;
+    "transmission" Transmission "least_transmission_angle" In::Unit(Unit::ANGLE), LEAST;
+    "transmission" Transmission "least_transmission_angle_at" In::Coordinate, LEAST_AT;
+    "balancing" BalancingSize "balancing_greatest" In::Own, GREATEST;
+    "balancing" BalancingSize "balancing_greatest_at" In::Coordinate, GREATEST_AT;
+    "balancing" Balancing "balancing_mean" In::Own, MEAN;
+    "balancing" BalancingSize "balancing_mean_modulus" In::Own, MEAN;
+    "balancing-rms" Balancing "balancing_rms" In::Own, RMS;
+    "reactions" Reactions "greatest" In::Own, GREATEST;
+    "reaction-rms" Reactions "rms" In::Own, RMS;
+    "extremes" Points "min" In::Own, LEAST;
+    "extremes" Points "max" In::Own, GREATEST;
+    "extremes" Slides "min" In::Own, LEAST;
+    "extremes" Slides "max" In::Own, GREATEST;
+    "extremes" Slides "travel" In::Own, |found, number| Some(GREATEST(found, number)? - LEAST(found, number)?);
+    "extremes" Links "min" In::Own, LEAST;
+    "extremes" Links "max" In::Own, GREATEST;
+    "distance" Targets "least" In::Unit(Unit::LENGTH), |found, nth| Some(found.distances.get(nth)?.min);
+    "distance" Targets "least_at" In::Coordinate, |found, nth| Some(found.distances.get(nth)?.at_min);
+    "distance" Targets "greatest" In::Unit(Unit::LENGTH), |found, nth| Some(found.distances.get(nth)?.max);
+    "distance" Targets "greatest_at" In::Coordinate, |found, nth| Some(found.distances.get(nth)?.at_max);
+    "stroke" Moving "stroke" In::Own, |found, nth| found.courses.get(nth)?.stroke;
+    "time-ratio" Moving "time_ratio" NONE, |found, nth| found.courses.get(nth)?.time_ratio;
+    "pf" Parts "pf1_greatest" In::Quantity(Quantity::Transfer(1)), FIRST;
+    "pf" Parts "pf2_greatest" In::Quantity(Quantity::Transfer(2)), SECOND;
+    "speed" Parts "speed_greatest" SPEED, |found, nth| Some(found.speed?.abs() * FIRST(found, nth)?);
+    "acceleration" Parts "acceleration_greatest" In::Quantity(Quantity::Acceleration),
+        |found, nth| Some(found.speed? * found.speed? * SECOND(found, nth)?);
+    "shaking" Shaking "shaking_force_greatest" FORCE, |found, _| Some(found.shaking.as_ref()?.greatest_force);
+    "shaking" Shaking "shaking_force_rms" FORCE, |found, _| Some(found.shaking.as_ref()?.rms_force);
+    "shaking" Shaking "shaking_moment_greatest" In::Unit(Unit::MOMENT),
+        |found, _| Some(found.shaking.as_ref()?.greatest_moment);
+    "regime" Flywheel "flywheel" In::Unit(Unit::INERTIA), |found, _| Some(found.regime()?.flywheel);
+    "regime" Motor "ratio" NONE, |found, _| found.regime()?.figures.ratio;
+    "regime" Torque "torque" In::Unit(Unit::MOMENT), |found, _| found.regime()?.figures.torque;
+    "regime" Regime "mean_speed" SPEED, |found, _| Some(found.regime()?.figures.mean_speed);
+    "regime" Regime "unevenness" NONE, |found, _| Some(found.regime()?.figures.unevenness);
+    "regime" Regime "speed_min" SPEED, |found, _| Some(found.regime()?.figures.speed_min);
+    "regime" Regime "speed_max" SPEED, |found, _| Some(found.regime()?.figures.speed_max);
+    "regime" Regime "excess_work" In::Unit(Unit::JOULE), |found, _| Some(found.regime()?.figures.excess_work);
+    "regime" Regime "required_power" In::Unit(Unit::POWER), |found, _| Some(found.regime()?.figures.required_power);
+    "end" End "end_time" In::Unit(Unit::SECOND), |found, _| Some(found.last?.state.time);
+    "end" End "end_coordinate" In::Coordinate, |found, _| Some(found.last?.state.coordinate);
+    "end" End "end_speed" SPEED, |found, _| Some(found.last?.state.speed);
+    "friction" Friction "efficiency" NONE, |found, _| found.friction.as_ref()?.efficiency;
+    "friction" Friction "friction_work" In::Unit(Unit::JOULE),
+        |found, _| found.friction.as_ref()?.friction_work.values().copied().sum();
+    "friction" Friction "friction_margin" NONE, |found, _| Some(1.0 - found.friction.as_ref()?.certificate);
+    "friction" Friction "self_braking" In::Coordinate, |found, _| Some(total(&found.friction.as_ref()?.self_braking));
+    "friction" Friction "dead_angles" In::Coordinate, |found, _| Some(total(&found.friction.as_ref()?.dead_angles));
+}
+
+/// Written where no measures are named.
+const BY_DEFAULT: bool = true;
+const ASKED: bool = false;
 
 /// All measures but those of the columns of the positions, in the order of their columns.
 pub const MEASURES: &[Measure] = &[
-    Measure::new("health", "sweep-measure-health", |to| {
-        of::groups(to, "smallest_health", Unit::NONE, Gathered::Health);
-    }),
-    Measure::new("transmission", "sweep-measure-transmission", |to| {
-        of::groups(to, "least_transmission_angle", Unit::ANGLE, Gathered::Transmission);
-    })
-    .asked(None),
-    Measure::new("balancing", "sweep-measure-balancing", of::balancing),
-    Measure::new("balancing-rms", "sweep-measure-balancing-rms", of::balancing_rms).asked(None),
-    Measure::new("reactions", "sweep-measure-reactions", |to| of::joints(to, "greatest", GREATEST)),
-    Measure::new("reaction-rms", "sweep-measure-reaction-rms", |to| of::joints(to, "rms", RMS)).asked(None),
-    Measure::new("extremes", "sweep-measure-extremes", of::extremes),
-    Measure {
-        need: Some(Need::Distances),
-        ..Measure::new("distance", "sweep-measure-distance", of::distance)
-    },
-    Measure::new("stroke", "sweep-measure-stroke", of::stroke).asked(Some(Need::Courses)),
-    Measure::new("time-ratio", "sweep-measure-time-ratio", of::time_ratio).asked(Some(Need::Courses)),
-    Measure::new("pf", "sweep-measure-pf", |to| {
-        of::parts(to, "pf1_greatest", Quantity::Transfer(1), of::FIRST);
-        of::parts(to, "pf2_greatest", Quantity::Transfer(2), of::SECOND);
-    })
-    .asked(Some(Need::Courses)),
-    Measure::new("speed", "sweep-measure-speed", |to| {
-        let find: Find = |found, nth| Some(found.speed?.abs() * of::FIRST(found, nth)?);
-        of::parts(to, "speed_greatest", Quantity::Velocity, find);
-    })
-    .asked(Some(Need::Courses)),
-    Measure::new("acceleration", "sweep-measure-acceleration", |to| {
-        let find: Find = |found, nth| Some(found.speed? * found.speed? * of::SECOND(found, nth)?);
-        of::parts(to, "acceleration_greatest", Quantity::Acceleration, find);
-    })
-    .asked(Some(Need::Courses)),
-    Measure::new("shaking", "sweep-measure-shaking", of::shaking).asked(Some(Need::Shaking)),
-    Measure::new("regime", "sweep-measure-regime", of::regime),
-    Measure::new("end", "sweep-measure-end", of::end),
-    Measure::new("friction", "sweep-measure-friction", of::friction).asked(Some(Need::Friction)),
+    Measure::new("health", "sweep-measure-health", BY_DEFAULT),
+    Measure::new("transmission", "sweep-measure-transmission", ASKED),
+    Measure::new("balancing", "sweep-measure-balancing", BY_DEFAULT),
+    Measure::new("balancing-rms", "sweep-measure-balancing-rms", ASKED),
+    Measure::new("reactions", "sweep-measure-reactions", BY_DEFAULT),
+    Measure::new("reaction-rms", "sweep-measure-reaction-rms", ASKED),
+    Measure::new("extremes", "sweep-measure-extremes", BY_DEFAULT),
+    Measure::new("distance", "sweep-measure-distance", BY_DEFAULT),
+    Measure::new("stroke", "sweep-measure-stroke", ASKED),
+    Measure::new("time-ratio", "sweep-measure-time-ratio", ASKED),
+    Measure::new("pf", "sweep-measure-pf", ASKED),
+    Measure::new("speed", "sweep-measure-speed", ASKED),
+    Measure::new("acceleration", "sweep-measure-acceleration", ASKED),
+    Measure::new("shaking", "sweep-measure-shaking", ASKED),
+    Measure::new("regime", "sweep-measure-regime", BY_DEFAULT),
+    Measure::new("end", "sweep-measure-end", BY_DEFAULT),
+    Measure::new("friction", "sweep-measure-friction", ASKED),
 ];
+
+/// What stands before a key of the JSON in the name of the measure of its columns.
+const POSITIONS: &str = "positions.";
 
 impl Describe for Measure {
     /// What its columns hold.
@@ -92,13 +205,8 @@ impl Describe for Measure {
 }
 
 impl Measure {
-    const fn new(name: &'static str, summary: &'static str, put: fn(&mut Builder<'_>)) -> Self {
-        Self { name, summary, by_default: true, whole: false, need: None, put: Some(put) }
-    }
-
-    /// Written only where it is named, with what must be found for it.
-    const fn asked(self, need: Option<Need>) -> Self {
-        Self { by_default: false, need, ..self }
+    const fn new(name: &'static str, summary: &'static str, by_default: bool) -> Self {
+        Self { name, summary, by_default, whole: false, is_plain: false }
     }
 
     /// The measures that are written where none are named.
@@ -108,7 +216,7 @@ impl Measure {
 
     /// The measures of these names, in the order of their columns; `default` and `all` name several.
     pub fn named(names: &[impl AsRef<str>]) -> Result<Vec<Self>, SweepError> {
-        let plain = |name: &str| KEYS.split(' ').find(|key| name.strip_prefix(PLAIN) == Some(*key));
+        let plain = |name: &str| KEYS.split(' ').find(|key| name.strip_prefix(POSITIONS) == Some(*key));
         let is_known = |name: &str| MEASURES.iter().any(|measure| measure.name == name);
         let known =
             |name: &str| name == "all" || name == "default" || is_known(name) || plain(name).is_some();
@@ -122,10 +230,8 @@ impl Measure {
             let whole = is_named("all") || is_named(measure.name);
             (whole || measure.by_default && is_named("default")).then_some(Self { whole, ..*measure })
         });
-        let columns = |key| {
-            let summary = "sweep-measure-plain";
-            Self { name: key, summary, by_default: false, whole: true, need: None, put: None }
-        };
+        let columns =
+            |key| Self { whole: true, is_plain: true, ..Self::new(key, "sweep-measure-plain", ASKED) };
         let mut keys: Vec<&'static str> = names.iter().filter_map(|name| plain(name.as_ref())).collect();
         keys.sort_unstable();
         keys.dedup();
@@ -134,14 +240,6 @@ impl Measure {
 
     /// Its name on the command line.
     pub(crate) fn full_name(&self) -> String {
-        format!("{}{}", if self.put.is_none() { PLAIN } else { "" }, self.name)
-    }
-
-    /// Adds its columns.
-    pub(crate) fn columns(&self, to: &mut Builder<'_>) {
-        match self.put {
-            Some(put) => put(to),
-            None => of::plain(to, self.name),
-        }
+        format!("{}{}", if self.is_plain { POSITIONS } else { "" }, self.name)
     }
 }

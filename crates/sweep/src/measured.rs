@@ -1,21 +1,81 @@
-//! What was found at a point of a sweep.
+//! What was found at a point of a sweep, and how the numbers of its columns are read from it.
 
-use assur_analysis::results::{FrictionCycle, Turn};
+use assur_analysis::results::{Column, FrictionCycle, Turn};
 use assur_book::Range;
 use assur_dynamics::{Instant, Regime, Steady};
-use assur_geometry::Extremes;
-use assur_mechanism::Input;
+use assur_force::Joint;
+use assur_geometry::{Extremes, PartCourses, Stroke};
+use assur_mechanism::{Input, LinkId, SlideId};
 use assur_number::{Extreme, Statistic};
 use assur_shaking::Size;
 
 use crate::angles::Followed;
-use crate::between::PartCourse;
-use crate::layout::{Find, Gathered, Layout};
+
+/// A number of a position of which there is a statistic.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum Gathered {
+    /// Least determinant of all groups.
+    Health,
+    /// Least transmission angle of all groups.
+    Transmission,
+    /// A coordinate of a point, by its number among the points that are wanted.
+    Point(usize, Column),
+    /// Displacement of a slide.
+    Slide(SlideId),
+    /// Continuous angle of a link.
+    Link(LinkId),
+    /// The balancing load, and its magnitude.
+    Balancing,
+    BalancingSize,
+    /// The greatest force of a pin or slide on one of its links; the statistic at the positions is of its square.
+    Force(Joint),
+    /// The magnitude of the moment of a slide.
+    Moment(Joint),
+    /// A column of the results as it is.
+    Plain(Column),
+}
+
+impl Gathered {
+    /// Whether it is the same under all loads.
+    fn is_of_places(&self) -> bool {
+        matches!(self, Self::Health | Self::Transmission | Self::Point(..) | Self::Slide(_) | Self::Link(_))
+    }
+}
+
+/// How many links of a pin or slide are looked at for its greatest force: the forces on two links are opposite.
+pub(crate) fn ends(joint: &Joint) -> usize {
+    if joint.links.len() == 2 { 1 } else { joint.links.len() }
+}
+
+/// A point, slide or link over the cycle.
+#[derive(Debug)]
+pub(crate) struct PartCourse {
+    /// Between the extremes of its displacement or angle, m or rad.
+    pub(crate) stroke: Option<f64>,
+    pub(crate) time_ratio: Option<f64>,
+    /// The greatest magnitudes of its first and second derivative with respect to the coordinate.
+    pub(crate) derivatives: [f64; 2],
+}
+
+impl PartCourse {
+    /// The points, then the slides, then the links.
+    pub(crate) fn each(all: &PartCourses) -> Vec<Self> {
+        let part = |pf0: Option<&Extremes>, stroke: Option<&Stroke>, derivatives: [&Extremes; 2]| Self {
+            stroke: pf0.map(|pf0| pf0.max - pf0.min),
+            time_ratio: stroke.and_then(|stroke| stroke.time_ratio),
+            derivatives: derivatives.map(|of| of.min.abs().max(of.max.abs())),
+        };
+        let points = all.points.iter().map(|of| part(None, None, [&of.pf1, &of.pf2]));
+        let slides = all.slides.iter().map(|of| part(Some(&of.pf0), of.stroke.as_ref(), [&of.pf1, &of.pf2]));
+        let links = all.links.iter().map(|of| part(of.pf0.as_ref(), of.stroke.as_ref(), [&of.pf1, &of.pf2]));
+        points.chain(slides).chain(links).collect()
+    }
+}
 
 /// What was found at a point of a sweep.
 #[derive(Debug, Default)]
 pub(crate) struct Measured {
-    /// Of what the layout gathers, over the positions.
+    /// Of what is gathered, over the positions.
     pub(crate) statistics: Vec<Statistic>,
     /// Which of them are of squares.
     squares: Vec<bool>,
@@ -41,45 +101,31 @@ pub(crate) struct Measured {
     pub(crate) shaking: Option<Size>,
 }
 
-/// Numbers of a statistic, by its number.
-pub(crate) const LEAST: Find = |found, number| Some(found.least(number)?[0]);
-pub(crate) const LEAST_AT: Find = |found, number| Some(found.least(number)?[1]);
-pub(crate) const GREATEST: Find = |found, number| Some(found.greatest(number)?[0]);
-pub(crate) const GREATEST_AT: Find = |found, number| Some(found.greatest(number)?[1]);
-pub(crate) const TRAVEL: Find = |found, number| Some(found.greatest(number)?[0] - found.least(number)?[0]);
-pub(crate) const MEAN: Find = |found, number| found.means(number)[0];
-pub(crate) const RMS: Find = |found, number| found.means(number)[1];
-
 impl Measured {
     /// Memory for what is measured.
-    pub(crate) fn new(layout: &Layout) -> Self {
-        let count = layout.gathered.len();
+    pub(crate) fn new(gathered: &[Gathered]) -> Self {
         Self {
-            statistics: vec![Statistic::default(); count],
-            squares: layout.gathered.iter().map(|of| matches!(of, Gathered::Force(_))).collect(),
-            angles: vec![Followed::default(); count],
+            statistics: vec![Statistic::default(); gathered.len()],
+            squares: gathered.iter().map(|of| matches!(of, Gathered::Force(_))).collect(),
+            angles: vec![Followed::default(); gathered.len()],
             ..Self::default()
         }
     }
 
-    /// Forgets what belongs to the positions whatever the loads.
-    pub(crate) fn clear_positions(&mut self, layout: &Layout) {
-        self.clear(layout, Gathered::is_of_places);
-        self.angles.fill(Followed::default());
-        self.distances.clear();
-        self.courses.clear();
-    }
-
-    /// Forgets what belongs to loads and motion.
-    pub(crate) fn clear_forces(&mut self, layout: &Layout) {
-        self.clear(layout, |of| !of.is_of_places());
+    /// Forgets what belongs to loads and motion, and what belongs to the positions whatever the loads, unless these are the same.
+    pub(crate) fn clear(&mut self, gathered: &[Gathered], same_positions: bool) {
+        for (statistic, of) in self.statistics.iter_mut().zip(gathered) {
+            if !same_positions || !of.is_of_places() {
+                *statistic = Statistic::default();
+            }
+        }
         self.ranges.clear();
         (self.last, self.steady, self.shaking, self.friction) = (None, None, None, None);
-    }
-
-    fn clear(&mut self, layout: &Layout, wanted: impl Fn(&Gathered) -> bool) {
-        let of = self.statistics.iter_mut().zip(&layout.gathered);
-        of.filter(|(_, of)| wanted(of)).for_each(|(statistic, _)| *statistic = Statistic::default());
+        if !same_positions {
+            self.angles.fill(Followed::default());
+            self.distances.clear();
+            self.courses.clear();
+        }
     }
 
     /// An extreme with its coordinate, rad or m; none where it grows without limit.
@@ -98,16 +144,18 @@ impl Measured {
         Some([value, self.input.as_ref()?.coordinate(found.number)])
     }
 
-    fn greatest(&self, number: usize) -> Option<[f64; 2]> {
+    /// The greatest value of what is gathered under a number, and its coordinate.
+    pub(crate) fn greatest(&self, number: usize) -> Option<[f64; 2]> {
         self.extreme(number, Statistic::greatest, |range| range.greatest)
     }
 
-    fn least(&self, number: usize) -> Option<[f64; 2]> {
+    /// The least value, and its coordinate.
+    pub(crate) fn least(&self, number: usize) -> Option<[f64; 2]> {
         self.extreme(number, Statistic::least, |range| range.least)
     }
 
     /// Mean and root of the mean square.
-    fn means(&self, number: usize) -> [Option<f64>; 2] {
+    pub(crate) fn means(&self, number: usize) -> [Option<f64>; 2] {
         if let Some(range) = self.ranges.get(number) {
             let means = range.as_ref().and_then(|range| range.means);
             return [means.map(|means| means.mean), means.map(|means| means.rms)];

@@ -8,6 +8,7 @@ use assur_group::Order;
 use assur_mechanism::Mechanism;
 use assur_words::{Describe, name, number, text};
 
+use crate::between::add_rows;
 use crate::measured::Measured;
 use crate::positions::{Memory, Positions};
 use crate::rows::{Failure, Rows};
@@ -15,14 +16,14 @@ use crate::{Status, Sweep};
 
 /// Calculates points; keeps its memory from one to the next.
 pub(crate) struct Worker<'a> {
-    pub(crate) sweep: &'a Sweep,
-    pub(crate) found: Measured,
+    sweep: &'a Sweep,
+    found: Measured,
     /// Parameters in the units of their ranges, and in SI.
     numbers: Vec<f64>,
     parameters: Vec<f64>,
     values: Vec<f64>,
     /// Solved positions; all points have the same links and groups.
-    pub(crate) memory: Memory,
+    memory: Memory,
     /// The last point, with which the next one may have much in common; lost with a mechanism that can't be compiled.
     last: Option<Calculation>,
     /// The mechanism of an earlier point, in which numbers are set.
@@ -34,7 +35,7 @@ impl<'a> Worker<'a> {
         let parameters = vec![0.0; sweep.axes.len()];
         Self {
             sweep,
-            found: Measured::new(&sweep.layout),
+            found: Measured::new(&sweep.layout.gathered),
             numbers: parameters.clone(),
             parameters,
             values: Vec::new(),
@@ -64,7 +65,11 @@ impl<'a> Worker<'a> {
         }
         self.values.clear();
         let mut calculation = self.compiled()?;
-        let result = Positions::new(&calculation, self).calculate();
+        let positions = Positions::new(&calculation, &self.sweep.layout, &mut self.found);
+        let result = positions.calculate(&mut self.memory);
+        if result.is_ok() {
+            add_rows(&mut self.found, &calculation, self.sweep);
+        }
         self.found.last = last(&calculation);
         let motion = std::mem::replace(&mut calculation.motion, InputMotion::Prescribed);
         self.last = Some(calculation);

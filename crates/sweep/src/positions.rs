@@ -14,10 +14,9 @@ use assur_shaking::shaking_size;
 use assur_words::{Describe, Text, number, quantity, text};
 
 use crate::Status;
-use crate::between::PartCourse;
-use crate::layout::{Gathered, ends};
-use crate::measure::Need;
-use crate::point::Worker;
+use crate::layout::Layout;
+use crate::measure::Of;
+use crate::measured::{Gathered, Measured, PartCourse, ends};
 use crate::rows::Failure;
 
 /// Most blocks of eight positions that are kept from one point to the next: some ten times what fits into a fast cache, and
@@ -41,9 +40,10 @@ impl Memory {
 }
 
 /// The positions of a mechanism, whose numbers are added to what is found.
-pub(crate) struct Positions<'a, 'w> {
+pub(crate) struct Positions<'a> {
     calculation: &'a Calculation,
-    worker: &'a mut Worker<'w>,
+    layout: &'a Layout,
+    found: &'a mut Measured,
     forces: Option<LaneKinetostatics<'a>>,
     /// The first failure.
     failure: Option<(Status, Text)>,
@@ -51,8 +51,8 @@ pub(crate) struct Positions<'a, 'w> {
     failed: usize,
 }
 
-impl<'a, 'w> Positions<'a, 'w> {
-    pub(crate) fn new(calculation: &'a Calculation, worker: &'a mut Worker<'w>) -> Self {
+impl<'a> Positions<'a> {
+    pub(crate) fn new(calculation: &'a Calculation, layout: &'a Layout, found: &'a mut Measured) -> Self {
         let (linkage, carrying) = (&calculation.linkage, &calculation.plan.groups_carrying);
         let forces = match (&calculation.loads, calculation.analyzer) {
             (Some(loads), Some(analyzer)) if calculation.positions_have_forces() => {
@@ -60,21 +60,20 @@ impl<'a, 'w> Positions<'a, 'w> {
             }
             _ => None,
         };
-        Self { calculation, worker, forces, failure: None, failed: 0 }
+        Self { calculation, layout, found, forces, failure: None, failed: 0 }
     }
 
-    /// Calculates every position.
-    pub(crate) fn calculate(mut self) -> Result<(), Failure> {
+    /// Calculates every position, or takes those that `memory` holds.
+    pub(crate) fn calculate(mut self, memory: &mut Memory) -> Result<(), Failure> {
         let Calculation { linkage, no_motion, .. } = self.calculation;
         let positions = linkage.mechanism.input.positions;
-        let layout = &self.worker.sweep.layout;
-        let Memory { mut blocks, holds_all } = std::mem::take(&mut self.worker.memory);
-        if !holds_all {
-            self.worker.found.clear_positions(layout);
-            self.worker.found.input = Some(linkage.mechanism.input.clone());
+        let Memory { blocks, holds_all } = memory;
+        let same_positions = std::mem::take(holds_all);
+        self.found.clear(&self.layout.gathered, same_positions);
+        if !same_positions {
+            self.found.input = Some(linkage.mechanism.input.clone());
         }
-        self.worker.found.clear_forces(layout);
-        self.between(!holds_all);
+        self.between(!same_positions);
         let count = positions.div_ceil(Lanes::WIDTH);
         let kept = if count <= MOST_KEPT { count } else { 1 };
         blocks.resize_with(kept, || linkage.lane_position());
@@ -83,7 +82,7 @@ impl<'a, 'w> Positions<'a, 'w> {
             let block = Block::new(index * Lanes::WIDTH, positions);
             let mut failures = Vec::new();
             let mut solved = block;
-            if !holds_all {
+            if !same_positions {
                 failures = self.solve(&block, &mut blocks[position]);
                 for (lane, ..) in &failures {
                     solved.valid[*lane] = false;
@@ -98,10 +97,10 @@ impl<'a, 'w> Positions<'a, 'w> {
             }
             self.note(failures);
         }
-        if self.wants(Need::Friction) {
-            self.worker.found.friction = self.calculation.friction_cycle();
+        if self.layout.asks(&[Of::Friction]) {
+            self.found.friction = self.calculation.friction_cycle();
         }
-        self.worker.memory = Memory { blocks, holds_all: all_solved };
+        *holds_all = all_solved;
         match (self.failure, no_motion) {
             (Some((status, message)), _) => Err(Failure { status, message, failed: Some(self.failed) }),
             (None, Some(error)) => {
@@ -113,10 +112,7 @@ impl<'a, 'w> Positions<'a, 'w> {
                 let message = text!("sweep-misfit", misfit = misfit);
                 Err(Failure { status: Status::NoAssembly, message, failed: Some(0) })
             }
-            (None, None) => {
-                self.worker.found.add_rows(self.calculation, self.worker.sweep);
-                Ok(())
-            }
+            (None, None) => Ok(()),
         }
     }
 
@@ -144,37 +140,33 @@ impl<'a, 'w> Positions<'a, 'w> {
         self.failure = self.failure.take().or(earliest);
     }
 
-    fn wants(&self, need: Need) -> bool {
-        self.worker.sweep.measures.iter().any(|measure| measure.need == Some(need))
-    }
-
     /// What is found between positions; the motion, where it is not that of the point before.
     fn between(&mut self, moved: bool) {
-        let (linkage, layout) = (&self.calculation.linkage, &self.worker.sweep.layout);
+        let (linkage, layout) = (&self.calculation.linkage, self.layout);
         let Wanted { links, slides, points, .. } = &self.calculation.plan.wanted;
-        if moved && self.wants(Need::Courses) {
+        if moved && layout.asks(&[Of::Moving, Of::Parts]) {
             let (links, slides) = (links.iter().copied(), slides.iter().copied());
             let found = courses(linkage, links, slides, points.iter().map(|(point, _)| *point));
-            self.worker.found.courses = found.as_ref().map(PartCourse::each).unwrap_or_default();
+            self.found.courses = found.as_ref().map(PartCourse::each).unwrap_or_default();
         }
-        if moved && !layout.targets.is_empty() && self.wants(Need::Distances) {
+        if moved && layout.asks(&[Of::Targets]) {
             let targets = layout.targets.iter().map(|(point, _, from)| (points[*point].1, *from));
-            self.worker.found.distances = distances(linkage, targets).unwrap_or_default();
+            self.found.distances = distances(linkage, targets).unwrap_or_default();
         }
-        self.worker.found.speed = match linkage.mechanism.motion {
+        self.found.speed = match linkage.mechanism.motion {
             Some(Motion::Prescribed { speed, acceleration: 0.0 }) => Some(speed),
             _ => None,
         };
-        if self.wants(Need::Shaking) {
+        if layout.asks(&[Of::Shaking]) {
             let state = |coordinate| self.calculation.state(coordinate);
-            self.worker.found.shaking = shaking_size(linkage, &state).ok();
+            self.found.shaking = shaking_size(linkage, &state).ok();
         }
     }
 
     /// Adds what is the same under all loads.
     fn places(&mut self, block: &Block, position: &LanePosition) {
         let Calculation { linkage, plan, .. } = self.calculation;
-        let (found, layout) = (&mut self.worker.found, &self.worker.sweep.layout);
+        let (found, layout) = (&mut *self.found, self.layout);
         let (bodies, slides) = (&position.bodies, &linkage.mechanism.slides);
         let needed = || (0..plan.groups_needed.len()).filter(|group| plan.groups_needed[*group]);
         let (has_groups, mut single) = (needed().next().is_some(), None);
@@ -218,9 +210,8 @@ impl<'a, 'w> Positions<'a, 'w> {
         for (lane, _) in &failures {
             valid[*lane] = false;
         }
-        let gathered = &self.worker.sweep.layout.gathered;
-        let (reactions, first, statistics) =
-            (&forces.reactions, block.first, &mut self.worker.found.statistics);
+        let gathered = &self.layout.gathered;
+        let (reactions, first, statistics) = (&forces.reactions, block.first, &mut self.found.statistics);
         for (of, statistic) in gathered.iter().zip(&mut *statistics) {
             // Beside passive parts what is not determined has no greatest value.
             let determined = |joint: &Joint| {

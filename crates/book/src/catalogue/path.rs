@@ -79,6 +79,5 @@ pub fn csv_of(schema: &Schema, column: Column, statistic: &str) -> Option<String
     if !statistic.is_empty() {
         name = name + "_" + statistic;
     }
-    let suffix = unit(schema, column).suffix();
-    Some(if suffix.is_empty() { name } else { name + "_" + &suffix })
+    Some(unit(schema, column).column(name))
 }

@@ -93,9 +93,9 @@ impl Unit {
         if angular { [Self::INERTIA, Self::si("kg m2/rad")] } else { [Self::KILOGRAM, Self::si("kg/m")] }
     }
 
-    /// What the name of a column in SI ends with: `m_per_rad2`, `kgm2`.
-    pub fn suffix(self) -> String {
-        self.si.replace('/', "_per_").replace(' ', "")
+    /// The name of a column of numbers in SI, which ends with the unit: `D_x_pf2_m_per_rad2`, `flywheel_kgm2`.
+    pub fn column(self, name: String) -> String {
+        if self.si.is_empty() { name } else { name + "_" + &self.si.replace('/', "_per_").replace(' ', "") }
     }
 
     /// A number in SI with this unit, with six significant digits.

@@ -123,6 +123,30 @@ fn what_is_found_between_positions_is_the_limit_of_more_and_more_positions() {
     assert!(compared > 300, "{compared}");
 }
 
+/// Strokes are found from the transfer functions of a part, extremes between positions from the rows of the results.
+#[test]
+fn a_stroke_is_what_lies_between_the_extremes() {
+    let mut compared = 0;
+    for (name, scene, positions) in scenes().filter(|(name, ..)| *name != "n-four-bar-40") {
+        let table = row(scene, positions, true, &["extremes", "stroke"]);
+        let number = |head: String| {
+            let column = table.header().iter().position(|name| *name == head)?;
+            if let CsvCell::Number(number) = table.cell(0, column) { Some(number) } else { None }
+        };
+        for (part, unit) in table.header().iter().filter_map(|head| head.rsplit_once("_stroke_")) {
+            let angle = if unit == "rad" { "_angle" } else { "" };
+            let [max, min] = ["max", "min"].map(|end| number(format!("{part}{angle}_{end}_{unit}")));
+            let stroke = number(format!("{part}_stroke_{unit}"));
+            let (Some(stroke), Some(max), Some(min)) = (stroke, max, min) else { continue };
+            // What is smaller than 1 mm or 1e-3 rad has no more digits than that.
+            let miss = (max - min - stroke).abs();
+            assert!(miss <= 1e-9 * stroke.max(1e-3), "{name}: {part} {stroke}, from {min} to {max}");
+            compared += 1;
+        }
+    }
+    assert!(compared > 30, "{compared}");
+}
+
 #[test]
 fn every_quantity_of_a_position_can_be_measured() {
     let scene = assur_fixtures::scene("shaper");
