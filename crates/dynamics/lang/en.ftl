@@ -11,7 +11,7 @@ dynamics-no-value = the equation of motion has no value at coordinate { $coordin
 dynamics-no-inertia = the reduced inertia with flywheel and rotor is { $inertia } at coordinate { $coordinate }: it must be positive; give some link a mass, or a flywheel
 dynamics-stalled = the machine comes to rest at coordinate { $coordinate }: nothing drives it past this point; give [drive] a `motor` or a `torque`, a stronger one, or a larger `flywheel`
 dynamics-driven-back = load `{ $load }`: on both sides of the `{ $function }` (character { $column } of the formula) the motion is driven back to where it changes, so it would go on along the change, where the formula gives no value; let it change over a range instead of at once, as `max(-1, min(1, x/0.01))` does in place of `sign(x)`
-dynamics-held = the speed is held at coordinate { $coordinate } by a jump in a table over speed; join its rows by a steep line
+dynamics-held = the speed is held at coordinate { $coordinate } by a jump of a load over speed; join the rows of its table by a steep line, or write `max(-1, min(1, x/0.01))` in place of `sign(x)` in its formula
 dynamics-not-linear = the moment of the loads at coordinate { $coordinate } is not linear in the speed between two jumps or kinks, as this method requires
 dynamics-no-path = the speed can't be followed at coordinate { $coordinate }: the moments change too steeply
 dynamics-no-regime = there is no steady regime: the work per cycle is { $work } and nothing depends on the speed (a cycle begins with { $energy }); use `torque = "balance"`, a motor or a load over speed

@@ -8,8 +8,8 @@ use assur_formula::Formula;
 use assur_group::Body;
 use assur_kinematics::{AssemblyRange, Linkage};
 use assur_mechanism::{
-    Contact, Direction, Force, GROUND, InputPair, LawTable, LinkId, Load, LoadId, LoadKind, Mechanism,
-    Motion, Over, Place, Value,
+    Contact, Direction, Force, GROUND, InputPair, LawTable, LinkId, Load, LoadId, LoadKind, Mechanism, Over,
+    Place, Value,
 };
 use assur_number::elementary;
 use assur_words::{Text, text};
@@ -263,8 +263,7 @@ impl<'a> Compiler<'a> {
             self.needs_motion(text!("force-formula-of-motion"))?;
         }
         let steps = !self.is_given();
-        let along = matches!(self.mechanism.motion, Some(Motion::Transient { .. }));
-        let mut law = FormulaLaw::new(formula.clone(), factor, [steps, along])?;
+        let mut law = FormulaLaw::new(formula.clone(), factor, steps)?;
         let motion = |q: f64| LoadState::prescribed(self.mechanism, q);
         law.check_changes(self.cycle(), motion)?;
         if let (Some(axis), true) = (axis, used.place) {

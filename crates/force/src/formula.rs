@@ -65,10 +65,9 @@ fn is_mixed(used: Used) -> bool {
 }
 
 impl FormulaLaw {
-    /// A formula without places of points. `steps`: integrators must be able to step onto its switches; `along`: switches over
-    /// several variables are met on the way.
-    pub(crate) fn new(formula: Formula, factor: f64, [steps, along]: [bool; 2]) -> Result<Self, LoadFault> {
-        let refused = |used: Used| is_mixed(used) && (used.place || !along);
+    /// A formula without places of points. `steps`: integrators must be able to step onto its switches.
+    pub(crate) fn new(formula: Formula, factor: f64, steps: bool) -> Result<Self, LoadFault> {
+        let refused = |used: Used| is_mixed(used) && used.place;
         let found = formula.switches().iter().position(|switch| refused(switch.used));
         if let Some(index) = found.filter(|_| steps) {
             return Err(unlocated(&formula, index));

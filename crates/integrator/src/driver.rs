@@ -4,7 +4,7 @@ use std::marker::PhantomData;
 
 use assur_words::text;
 
-use crate::change::first_change;
+use crate::change::first_change_in;
 use crate::event_location::{Bounds, SIDES, Side, turning};
 use crate::{
     Dense, EquationOfMotion, EventKind, FixedStep, IntegrationError, Integrator, MotionError, Node, Pace,
@@ -236,7 +236,7 @@ impl<'a, S: Stepper> Drive<'a, S> {
         if may_leave || self.run.equation.has_switches() {
             let dense = self.dense(&to)?;
             let exit = if may_leave { self.bounds.first_exit(&dense) } else { None };
-            let change = first_change(&self.run.equation, &dense);
+            let change = first_change_in(&self.run.equation, &dense);
             if let Some(change) = change.filter(|[_, after]| exit.is_none_or(|(theta, _)| *after < theta)) {
                 return self.meet_change(plan, error, &dense, change);
             }

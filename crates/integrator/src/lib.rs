@@ -43,6 +43,7 @@ mod stepper;
 assur_words::resources!();
 
 pub use assur_plugin::RegistryError;
+pub use change::{Part, first_change};
 pub use choose::{AUTO, Choice, RankedMethod, Solution, choose, solve};
 pub use control::{Control, Scale};
 pub use dense::{COEFFICIENTS, Dense};

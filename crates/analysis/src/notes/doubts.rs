@@ -257,8 +257,10 @@ impl<'m> Seen<'m> {
     fn load(&mut self, cause: Cause, power: f64, terms: f64) {
         let Cause::Load(load) = cause else { return };
         let [acts, works] = self.loads.entry(load).or_default();
-        *acts |= terms > 0.0;
-        *works |= power.abs() > STILL * terms;
+        // A load without a value is no load of zero.
+        let unknown = terms.is_nan();
+        *acts |= unknown || terms > 0.0;
+        *works |= unknown || power.abs() > STILL * terms;
     }
 
     fn notices(&self) -> Vec<Notice> {

@@ -17,6 +17,7 @@ mod segment;
 mod shooting;
 mod solution;
 mod solver;
+mod switch;
 mod tuning;
 
 pub use regime::{CycleRequest, DriveRequest, Effort, Figures, FlywheelByMethod, Regime, TorqueRequest};

@@ -3,7 +3,7 @@
 use std::sync::LazyLock;
 
 use assur_force::tolerance;
-use assur_integrator::{EquationOfMotion, MotionError, Piece, State};
+use assur_integrator::{EquationOfMotion, MotionError, Piece, State, Stretch};
 use assur_number::panel::Radau;
 
 use crate::DynamicsError;
@@ -89,17 +89,20 @@ pub(crate) struct Path<'a> {
     pub(crate) cycle: CyclePath,
     /// The moment of the loads depends on the speed.
     pub(crate) by_speed: bool,
+    /// The moment of the loads changes where several variables together make it.
+    pub(crate) switches: bool,
     /// Number of evaluations of the machine.
     pub(crate) evaluations: usize,
 }
 
 impl<'a> Path<'a> {
     pub(crate) fn new(motion: &'a mut dyn EquationOfMotion, cycle: CyclePath) -> Self {
-        let by_speed = motion.dependence().moment_on_speed;
-        Self { motion, cycle, by_speed, evaluations: 0 }
+        let dependence = motion.dependence();
+        let (by_speed, switches) = (dependence.moment_on_speed, dependence.moment_switches);
+        Self { motion, cycle, by_speed, switches, evaluations: 0 }
     }
 
-    fn state(&self, x: f64, v: f64) -> State {
+    pub(crate) fn state(&self, x: f64, v: f64) -> State {
         State { time: 0.0, coordinate: self.cycle.coordinate(x), speed: self.cycle.sense * v }
     }
 
@@ -118,6 +121,11 @@ impl<'a> Path<'a> {
         } else {
             [[start - b, start - a], [-d, -c]]
         })
+    }
+
+    /// Whether the formulas entered last hold throughout a stretch, see [`EquationOfMotion::holds`].
+    pub(crate) fn holds(&self, stretch: &Stretch) -> Option<bool> {
+        self.motion.holds(stretch)
     }
 
     /// Coefficients at `x` and the speed `v` by the formulas entered last, the whole moment in its first part.
@@ -152,6 +160,16 @@ impl<'a> Path<'a> {
         v: f64,
     ) -> Result<NodalCoefficients, DynamicsError> {
         let [_, speed] = self.enter(x + 0.5 * h, v)?;
+        self.coefficients_entered([x, h], v, speed)
+    }
+
+    /// Coefficients over a stretch by the formulas entered last, which are valid in this interval of the speed.
+    pub(crate) fn coefficients_entered(
+        &mut self,
+        [x, h]: [f64; 2],
+        v: f64,
+        speed: [f64; 2],
+    ) -> Result<NodalCoefficients, DynamicsError> {
         let mut found = NodalCoefficients { speed, ..NodalCoefficients::default() };
         for (node, c) in found.nodes.iter_mut().zip(&RULE.c) {
             *node = self.at(x + h * c, v)?;
@@ -186,7 +204,7 @@ impl<'a> Path<'a> {
             let end = loop {
                 let [[_, end], _] = self.enter(x + ahead, v)?;
                 if end > x + narrow {
-                    break end.min(length);
+                    break self.end_at(x, end.min(length), v);
                 }
                 ahead = if ahead == 0.0 { 1e-3 * narrow } else { 4.0 * ahead };
                 if ahead > length {
@@ -197,6 +215,12 @@ impl<'a> Path<'a> {
             corners.push(x);
         }
         Ok(corners)
+    }
+
+    /// Where the formulas entered last end at a constant speed between two places, or the second.
+    fn end_at(&self, x: f64, end: f64, v: f64) -> f64 {
+        let change = self.first_switch([x, end - x], &[0.5 * v * v; S + 1]);
+        change.map_or(end, |[_, after]| x + after * (end - x))
     }
 
     /// Cuts the cycle into panels on which polynomials resolve the coefficients to `tolerance` (relative), at the

@@ -21,6 +21,8 @@ struct Run<'r, 'a> {
     bounds: [f64; 2],
     /// At a crossing of such a bound: 1 if upward, -1 if downward; else 0.
     side: f64,
+    /// dv/dx at the place reached.
+    slope: f64,
     crossings: usize,
     segments: Vec<Segment>,
 }
@@ -40,6 +42,7 @@ pub(crate) fn run_cycle(
         state: Start { energy, derivatives: [1.0, 0.0, 0.0], factor: 1.0 },
         bounds: [0.0, f64::INFINITY],
         side: 0.0,
+        slope: 0.0,
         crossings: 0,
         segments: Vec::with_capacity(panels.len() + 8),
     };
@@ -78,7 +81,8 @@ impl Run<'_, '_> {
         let branch = self.setup.drive.branch(v);
         self.state.factor = branch.factor;
         let [low, high] = given.speed;
-        let chosen = if v >= low && v <= high { *given } else { self.path.coefficients(x, h, v)? };
+        let valid = v >= low && v <= high && !self.path.switches;
+        let chosen = if valid { *given } else { self.coefficients(x, h, v)? };
         self.bounds = [branch.speed[0].max(chosen.speed[0]), branch.speed[1].min(chosen.speed[1])];
         Ok(chosen)
     }
@@ -86,7 +90,29 @@ impl Run<'_, '_> {
     /// Coefficients of a stretch that is no panel, near the speed at `at`.
     fn beside(&mut self, x: f64, h: f64, at: &Coefficients) -> Result<NodalCoefficients, DynamicsError> {
         let v = self.speed_beside(at);
-        self.path.coefficients(x, h, v)
+        self.coefficients(x, h, v)
+    }
+
+    /// Coefficients of a stretch that begins at the speed `v`; where switches over several variables tell which formulas hold, by
+    /// those just ahead along the motion.
+    fn coefficients(&mut self, x: f64, h: f64, v: f64) -> Result<NodalCoefficients, DynamicsError> {
+        /// Part of a stretch: far above the rounding of a switch.
+        const AHEAD: f64 = 1e-6;
+        if !self.path.switches {
+            return self.path.coefficients(x, h, v);
+        }
+        let [_, speed] = self.path.enter(x + AHEAD * h, v + self.slope * AHEAD * h)?;
+        self.path.coefficients_entered([x, h], v, speed)
+    }
+
+    /// Where the formulas of a segment end: the part of it, and the side of the bound of the speed that it crosses, 0 at a switch.
+    fn end_of_formulas(&self, segment: &Segment) -> Option<(f64, f64)> {
+        let crossing = first_crossing(segment, &self.setup, self.bounds);
+        let half_squares = segment.half_squares(&self.setup.drive);
+        let switch = self.path.first_switch([segment.x, segment.h], &half_squares);
+        let switch = switch.map(|[_, after]| (after, 0.0));
+        let both = crossing.into_iter().chain(switch);
+        both.min_by(|one, other| one.0.total_cmp(&other.0))
     }
 
     /// Solves a stretch of the path and advances to its end; if the formulas change inside, in several segments.
@@ -100,7 +126,7 @@ impl Run<'_, '_> {
     ) -> Result<(), DynamicsError> {
         let coefficients = self.choose(x, h, given)?;
         match solve(&self.setup, &self.state, [x, h], &coefficients, guess) {
-            Ok(segment) => match first_crossing(&segment, &self.setup, self.bounds) {
+            Ok(segment) => match self.end_of_formulas(&segment) {
                 None => {
                     self.keep(&segment);
                     Ok(())
@@ -128,10 +154,11 @@ impl Run<'_, '_> {
         self.state.energy = segment.energy[S];
         self.state.derivatives = segment.derivatives.map(|values| values[S]);
         self.side = 0.0;
+        self.slope = segment.end_slope(&self.setup.drive);
         self.segments.push(*segment);
     }
 
-    /// Advances to a crossing of the speed's bounds by the old formulas, and beyond it by the new ones.
+    /// Advances to a crossing of the speed's bounds, or to a switch, by the old formulas, and beyond it by the new ones.
     fn cross(
         &mut self,
         segment: &Segment,
@@ -158,6 +185,8 @@ impl Run<'_, '_> {
             (at, before) = (part.coefficients.nodes[S], part.moment[S]);
             self.keep(&part);
         }
+        let v = self.speed_beside(&at);
+        let slope = if side == 0.0 { self.path.slope_of_switch(x, v, segment.h) } else { 0.0 };
         self.side = side;
         if h <= 1e-12 * self.path.cycle.length {
             return Ok(());
@@ -165,7 +194,7 @@ impl Run<'_, '_> {
         let coefficients = self.beside(x, h, &at)?;
         let coefficients = self.choose(x, h, &coefficients)?;
         let after = Moment::at(&self.setup, self.state.factor, &coefficients.nodes[0], self.state.energy);
-        if !self.state.carry_over(&self.setup, &at, [before, after.value], side) {
+        if !self.state.carry_over(&self.setup, &at, [before, after.value], [slope, side]) {
             return Err(DynamicsError::Held(coordinate));
         }
         self.advance(x, h, &coefficients, None, halvings)
@@ -203,19 +232,21 @@ pub(crate) fn first_crossing(segment: &Segment, setup: &Setup, [low, high]: [f64
 
 impl Start {
     /// Carries the derivatives over a crossing at the place `at`, where the moment jumps: the crossing itself moves
-    /// with the parameters. `moments`: before and after; `side`: 1 upward, -1 downward. `false` if the moment after
-    /// drives the speed back.
+    /// with the parameters. `moments`: before and after; `slope`: dv/dx of the line that is crossed; `side`: 1 upward, -1
+    /// downward, 0 as the moment before leads. `false` if the moment after drives the motion back.
     pub(crate) fn carry_over(
         &mut self,
         setup: &Setup,
         at: &Coefficients,
         moments: [f64; 2],
-        side: f64,
+        [slope, side]: [f64; 2],
     ) -> bool {
-        let half_square = self.energy / (at.inertia + setup.drive.inertia);
-        // The level T = J v²/2 rises with J.
-        let approach = moments[0] - at.slope * half_square;
-        let leaving = moments[1] - at.slope * half_square;
+        let inertia = at.inertia + setup.drive.inertia;
+        let half_square = self.energy / inertia;
+        // The level T = J v²/2 rises with J, and with the speed of the line.
+        let rise = at.slope * half_square + inertia * (2.0 * half_square).sqrt() * slope;
+        let [approach, leaving] = moments.map(|moment| moment - rise);
+        let side = if side == 0.0 { approach.signum() } else { side };
         if leaving * side <= 0.0 {
             return false;
         }

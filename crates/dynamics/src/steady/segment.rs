@@ -91,6 +91,12 @@ impl Segment {
         })
     }
 
+    /// dv/dx at the end.
+    pub(crate) fn end_slope(&self, drive: &InputDrive) -> f64 {
+        let v = (2.0 * self.half_squares(drive)[S]).sqrt();
+        self.accelerations(drive)[S] / v
+    }
+
     /// Where the speed passes `level`, between a part where it has not yet (`inside`) and one where it has.
     pub(crate) fn crossing(&self, level: f64, drive: &InputDrive, [inside, outside]: [f64; 2]) -> f64 {
         let excess = |theta: f64| {

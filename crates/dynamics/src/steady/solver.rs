@@ -133,7 +133,7 @@ impl<'a> RegimeSolver<'a> {
             (unknowns, trials) = (found.unknowns, found.trials);
         };
         self.check_speed(drive, &tuned)?;
-        self.diagram = WorkDiagram::new(&self.shooting.panels, self.request.length, tuned.range.mean());
+        self.diagram = self.diagram_at(tuned.range.mean())?;
         let (first, iterations) = self.iterate_from_mean_speed(&tuned, &target)?;
         let efficiency = match drive.torque {
             TorqueRequest::Motor { efficiency, .. } => efficiency,
@@ -156,6 +156,17 @@ impl<'a> RegimeSolver<'a> {
             error_of_moments: OFF_THE_MIDDLE * misses.moment,
             ..Regime::new(tuned, required_power, target.unevenness.is_some())
         })
+    }
+
+    /// The work diagram at another mean speed.
+    fn diagram_at(&mut self, mean_speed: f64) -> Result<WorkDiagram, DynamicsError> {
+        let Shooting { path, panels, .. } = &mut self.shooting;
+        let length = self.request.length;
+        // At another speed a switch that depends on it has another place.
+        if path.switches {
+            return Ok(WorkDiagram::new(&path.panels(mean_speed, RESOLVE)?, length, mean_speed));
+        }
+        Ok(WorkDiagram::new(panels, length, mean_speed))
     }
 
     /// Without a drive the loads alone determine the mean speed, and no parameter is free to change it.

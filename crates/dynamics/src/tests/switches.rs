@@ -173,3 +173,78 @@ fn a_motion_along_a_change_is_refused() {
         assert!(why.contains("12.08"), "{why}");
     }
 }
+
+/// A steady regime of the disc, driven by 20 N m against 2 w and a moment of w and q.
+fn regime(moment: &str, speed: f64) -> String {
+    format!(
+        "[ground]\npoints = {{ O = 0 }}\n[link.disc]\npoints = {{ O = 0 }}\nmass = 2\ninertia = 0.5\n\
+         [[moment]]\nlink = 'disc'\nvalue = {{ formula = '{moment}' }}\n[[moment]]\nlink = 'disc'\n\
+         value = {{ formula = '-2*w' }}\n[input]\nlink = 'disc'\n[motion]\nkind = 'steady'\n\
+         mean_speed = '{speed} rad/s'\n[drive]\ntorque = 20\nflywheel = 0\n"
+    )
+}
+
+/// Speeds of the periodic motion w' = f(q, w)/(J w) at `count` places of a turn. Runge and Kutta's steps end at the changes of
+/// `side`, on whose sides f is smooth: the side of the step's start holds throughout the step.
+fn periodic(f: impl Fn(f64, f64, bool) -> f64, side: impl Fn(f64, f64) -> bool, count: u32) -> Vec<f64> {
+    let step = |q: f64, w: f64, h: f64, above: bool| {
+        let rate = |q: f64, w: f64| f(q, w, above) / (0.5 * w);
+        let a = rate(q, w);
+        let b = rate(q + 0.5 * h, w + 0.5 * h * a);
+        let c = rate(q + 0.5 * h, w + 0.5 * h * b);
+        let d = rate(q + h, w + h * c);
+        w + h / 6.0 * (a + 2.0 * b + 2.0 * c + d)
+    };
+    let parts = 16 * count;
+    let width = std::f64::consts::TAU / f64::from(parts);
+    let (mut w, mut speeds) = (10.0, Vec::new());
+    for _ in 0..40 {
+        speeds.clear();
+        for part in 0..parts {
+            if part % 16 == 0 {
+                speeds.push(w);
+            }
+            let (mut q, mut left) = (width * f64::from(part), width);
+            while left > 1e-14 {
+                let above = side(q + 1e-12, step(q, w, 1e-12, side(q, w)));
+                let to = |h: f64| step(q, w, h, above);
+                let stays = |h: f64| side(q + h, to(h)) == above;
+                let h = if stays(left) { left } else { bisect(0.0, left, 0.0, stays)[1] };
+                w = to(h);
+                (q, left) = (q + h, left - h);
+            }
+        }
+    }
+    speeds
+}
+
+/// Both switches mix w and q: one only bends, the other jumps, twice a turn.
+#[test]
+fn regimes_that_switch_over_speed_and_coordinate() {
+    type Side = fn(f64, f64) -> bool;
+    type Moment = fn(f64, f64, bool) -> f64;
+    let cases: [(&str, Side, Moment); 2] = [
+        (
+            "min(w, 10 + 4*sin(q)) - 9",
+            move |q, w| w > 10.0 + 4.0 * q.sin(),
+            |q, w, above| 20.0 - 2.0 * w + if above { 10.0 + 4.0 * q.sin() } else { w } - 9.0,
+        ),
+        (
+            "3*sign(w - 10 - 5*cos(q))",
+            |q, w| w > 10.0 + 5.0 * q.cos(),
+            |_, w, above| 20.0 - 2.0 * w + if above { 3.0 } else { -3.0 },
+        ),
+    ];
+    for (moment, side, f) in cases {
+        let count = 40;
+        let wanted = periodic(f, side, count);
+        let (linkage, loads) = compiled(&regime(moment, 10.0));
+        let found = crate::steady(&linkage, &loads, None)
+            .unwrap_or_else(|error| panic!("{moment}: {}", error.describe()));
+        for (place, wanted) in wanted.iter().enumerate() {
+            let q = std::f64::consts::TAU * place as f64 / f64::from(count);
+            let speed = found.regime.state(q).speed;
+            assert!((speed - wanted).abs() < 1e-8, "{moment} at {q}: {speed} for {wanted}");
+        }
+    }
+}

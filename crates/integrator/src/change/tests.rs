@@ -5,12 +5,12 @@ use super::*;
 fn bounds_hold_what_the_step_holds() {
     let numbers = |seed: f64| std::array::from_fn(|i| (seed + 7.3 * i as f64).sin());
     let dense = Dense { time: 2.0, step: 0.5, coordinate: numbers(0.4), speed: numbers(1.9) };
-    let mut parts = vec![Part::whole(&dense)];
+    let mut parts = vec![StepPart::whole(&dense)];
     for _ in 0..3 {
-        parts = parts.iter().flat_map(Part::halves).collect();
+        parts = parts.iter().flat_map(StepPart::halves).collect();
         for part in &parts {
             let [from, to] = part.ends;
-            let Stretch { states, acceleration, end } = part.stretch(&dense);
+            let Stretch { states, acceleration, end } = part.stretch();
             let last = dense.at(to);
             assert!((end.coordinate - last.coordinate).abs() + (end.speed - last.speed).abs() < 1e-14);
             let within = |[low, high]: [f64; 2], x: f64| low - 1e-14 <= x && x <= high + 1e-14;

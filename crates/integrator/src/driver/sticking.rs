@@ -3,7 +3,7 @@
 use assur_number::search::try_bisect;
 
 use super::Drive;
-use crate::change::first_change;
+use crate::change::first_change_in;
 use crate::piece_ahead::piece_ahead;
 use crate::{Dense, EventKind, IntegrationError, Node, Piece, State, Stepper, Until, enter};
 
@@ -57,7 +57,7 @@ impl<S: Stepper> Drive<'_, S> {
             return None;
         }
         let coasting = Dense::parabola(&Node { state: self.after(held), acceleration: 0.0 }, step);
-        let [_, after] = first_change(&self.run.equation, &coasting)?;
+        let [_, after] = first_change_in(&self.run.equation, &coasting)?;
         Some(held + after * step).filter(|change| *change > held)
     }
 

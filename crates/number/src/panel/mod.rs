@@ -1,10 +1,12 @@
 //! Functions on a panel, an interval on which a polynomial through the values at some nodes stands for them: by
 //! [`chebyshev`] polynomials where it is integrated and inverted, by [`Radau`] collocation where it solves an equation, and by
-//! the barycentric formula through any nodes.
+//! the barycentric formula through any nodes, and by Bernstein's coefficients where its bounds are asked for.
 
+mod bernstein;
 pub mod chebyshev;
 mod radau;
 
+pub use bernstein::Bernstein;
 pub use radau::Radau;
 
 /// Weights of the barycentric formula for these nodes (Berrut & Trefethen, eq. 3.2).
