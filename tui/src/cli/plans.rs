@@ -129,7 +129,7 @@ pub(crate) fn text(analysis: &Analysis, style: Style) -> String {
     let mut text = String::new();
     for plans in &analysis.cycle.plans {
         let coordinate = if analysis.input.angular {
-            words::quantity(format_args!("{:.4}", plans.sheet.coordinate.to_degrees()), "deg")
+            words::degrees(plans.sheet.coordinate, 4)
         } else {
             words::quantity(format_args!("{:.6}", plans.sheet.coordinate), "m")
         };
