@@ -300,7 +300,7 @@ fn checks_notes_and_failures_of_shipped_scenes() {
         hold(told, &allowed);
         hold(
             found
-                .notes
+                .warnings
                 .iter()
                 .map(|note| &note.text)
                 .chain(found.failures.iter().map(|failure| &failure.message)),

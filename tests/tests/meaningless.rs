@@ -30,7 +30,7 @@ fn answer(text: &str) -> String {
     let analysis = calculation.analyze(&mut unwatched).expect("nobody stops it");
     let failure = analysis.failures.first().map(|failure| format!("failure: {}\n", failure.message));
     let motion = analysis.no_motion.map(|why| format!("no motion: {why}\n"));
-    let notes = analysis.notes.iter().map(|note| format!("note: {note}\n"));
+    let notes = analysis.warnings.iter().map(|note| format!("note: {note}\n"));
     let all: String = failure.into_iter().chain(motion).chain(notes).collect();
     if all.is_empty() { "calculated\n".to_owned() } else { all }
 }

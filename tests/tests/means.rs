@@ -186,13 +186,13 @@ fn the_end_of_a_range_that_is_bounded_is_an_extreme() {
 fn a_load_that_acts_between_the_positions_acts() {
     for scene in ["mean-peak", "mean-narrow-peak"] {
         let calculation = calculation(&kept(scene));
-        assert!(calculation.doubts().is_empty(), "{:?}", calculation.doubts());
+        assert!(calculation.mistakes().is_empty(), "{:?}", calculation.mistakes());
     }
     let (before, _) =
         kept("mean-peak").split_once("value =").map(|(a, b)| (a.to_owned(), b.to_owned())).unwrap();
     let told = |value: &str| {
-        let notices = calculation(&format!("{before}value = {value}\n")).doubts();
-        notices.iter().filter_map(|notice| notice.text.identity()).collect::<Vec<_>>()
+        let warnings = calculation(&format!("{before}value = {value}\n")).mistakes();
+        warnings.iter().filter_map(|one| one.text.identity()).collect::<Vec<_>>()
     };
     assert!(told("{ formula = 'sin(12*q)' }").is_empty());
     assert_eq!(told("{ over = 'angle', table = [[0, 0], [1, 0]] }"), ["analysis-load-idle"]);

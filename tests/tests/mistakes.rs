@@ -4,7 +4,7 @@
 
 use assur_all as _;
 use assur_analysis::{Calculation, Options, unwatched};
-use assur_mechanism::Notice;
+use assur_mechanism::Warning;
 
 /// A slider-crank without a fault.
 const SCENE: &str = r#"
@@ -43,12 +43,13 @@ angle = "180 deg"
 value = "1 kN"
 "#;
 
-fn mistakes(scene: &str) -> Vec<Notice> {
+fn mistakes(scene: &str) -> Vec<Warning> {
     let mechanism = assur_scene::read("test.toml", scene).unwrap_or_else(|errors| panic!("{errors}"));
+    let mut warnings = mechanism.warnings.clone();
     let study = Calculation::of(mechanism, &Options::default(), &mut unwatched);
-    let doubts = study.unwrap_or_else(|error| panic!("{error}")).doubts();
-    assert!(doubts.iter().all(Notice::is_mistake));
-    doubts
+    warnings.extend(study.unwrap_or_else(|error| panic!("{error}")).mistakes());
+    assert!(warnings.iter().all(Warning::is_mistake));
+    warnings
 }
 
 /// What is written, in place of what; the key and the identity of what is reported, and a part of its text.
@@ -315,7 +316,7 @@ fn names_that_look_the_same_are_told() {
     // The rod's B is a Cyrillic letter: no pin, so that the mobility is wrong, and the mistake is named beside it.
     let scene = SCENE.replacen("A = 0, B = ", "A = 0, \"В\" = ", 1);
     let mechanism = assur_scene::read("test.toml", &scene).unwrap();
-    assert_eq!(mechanism.notes[0].text.identity(), Some("scene-same-appearance"));
+    assert_eq!(mechanism.warnings[0].text.identity(), Some("scene-same-appearance"));
     let error = Calculation::of(mechanism, &Options::default(), &mut unwatched).unwrap_err().to_string();
     assert!(error.contains("have similar names"), "{error}");
     let small = SCENE.replacen("A = 0, B = ", "A = 0, b = ", 1);

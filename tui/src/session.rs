@@ -6,7 +6,7 @@ use std::sync::{Arc, OnceLock};
 use assur_analysis::{AnalysisError, Calculation, Coverage, Options, Watch, plan, unwatched};
 use assur_fixtures::SCENES;
 use assur_kinematics::{CompileError, Linkage, decompose};
-use assur_mechanism::{Key, MOST_PARTS_DRAWN, Mechanism, Motion, Notice};
+use assur_mechanism::{Key, MOST_PARTS_DRAWN, Mechanism, Motion, Warning};
 use assur_picture::{Found, Results};
 use assur_scene::Note;
 use assur_structure::Structure;
@@ -77,8 +77,8 @@ impl Session {
         let (mechanism, note) = read(&source, &text)?;
         let structure = decompose(&mechanism).map_err(|error| {
             // What is probably not meant may be why the links don't form a mechanism.
-            let doubts = mechanism.notes.iter().map(|doubt| placed(&source, &text, doubt));
-            joined("\n", doubts.chain([uncompiled(&source, &text, &error.into())]))
+            let warnings = mechanism.warnings.iter().map(|one| placed(&source, &text, one));
+            joined("\n", warnings.chain([uncompiled(&source, &text, &error.into())]))
         })?;
         Ok(Self { source, text, note, mechanism, structure, linkage: OnceLock::new() })
     }
@@ -180,8 +180,8 @@ impl Session {
     }
 
     /// What is probably not meant in the scene, with its place.
-    pub(crate) fn doubt(&self, doubt: &Notice) -> Text {
-        placed(&self.source, &self.text, doubt)
+    pub(crate) fn placed(&self, warning: &Warning) -> Text {
+        placed(&self.source, &self.text, warning)
     }
 
     pub(crate) fn in_file(&self, message: Text) -> Text {
@@ -210,12 +210,14 @@ fn read(source: &Source, text: &str) -> Result<(Mechanism, Note), Text> {
 }
 
 /// What is probably not meant in a scene, with file, line and column where it has a key.
-fn placed(source: &Source, text: &str, doubt: &Notice) -> Text {
-    let errors =
-        doubt.key.as_ref().and_then(|key| assur_scene::fault_at(&source.name(), text, key, Text::default()));
+fn placed(source: &Source, text: &str, warning: &Warning) -> Text {
+    let errors = warning
+        .key
+        .as_ref()
+        .and_then(|key| assur_scene::fault_at(&source.name(), text, key, Text::default()));
     let place = errors.iter().flat_map(|found| &found.errors).map(|at| format!(":{}:{}", at.line, at.column));
     let place = name(source.name() + &place.collect::<String>());
-    text!("cli-mistake", place, text = &doubt.text)
+    text!("cli-mistake", place, text = &warning.text)
 }
 
 fn at_key(source: &Source, text: &str, key: &Key, message: Text) -> Option<Text> {

@@ -132,7 +132,7 @@ impl Calculation {
         let loads = if wants_loads { Some(Loads::varied(&linkage, earlier)?) } else { None };
         let analyzer = if plan.forces { Some(analyzer(&linkage, options)?) } else { None };
         let (motion, no_motion) = find(&linkage, loads.as_ref())?;
-        let unused = crate::notes::unused(&linkage.mechanism, options);
+        let unused = crate::warnings::unused(&linkage.mechanism, options);
         let least_norm = options.least_norm;
         let notable = OnceLock::new();
         Ok(Self {

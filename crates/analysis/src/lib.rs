@@ -22,7 +22,6 @@ mod inputs;
 mod joints;
 mod modes;
 mod motion;
-mod notes;
 pub mod plan;
 mod plans;
 mod positions;
@@ -32,6 +31,7 @@ pub mod results;
 mod several;
 mod stops;
 mod trajectory;
+mod warnings;
 
 assur_words::resources!();
 

@@ -6,14 +6,14 @@ use std::sync::Arc;
 use assur_check::Notable;
 use assur_group::Order;
 use assur_kinematics::Linkage;
-use assur_words::{Describe, text};
+use assur_words::Describe;
 
 use crate::angles::{Angles, Starts};
 use crate::blocks::{Block, Blocks};
-use crate::notes::Listed;
 use crate::progress::{Stopped, Watch};
 use crate::results::{Analysis, Failure, InputReport, Peaks, Schema, Survey, Table};
 use crate::several::Several;
+use crate::warnings::{Listed, Seen};
 use crate::{Calculation, Progress};
 
 /// Most failures that are kept in full.
@@ -57,12 +57,12 @@ impl Calculation {
         let positions = self.positions(mechanism.input.positions.div_ceil(mechanism.most_kept()), watch)?;
         let samples = self.trajectory(watch)?;
         self.notable.get_or_init(|| [positions.notable.numbers(), samples.notable.numbers()]);
-        let mut notes = self.notes(&positions.at_change_points, &samples.without);
-        notes.extend(self.nearly_singular(&positions.survey).into_iter().map(Into::into));
-        notes.extend(self.friction_notes(&positions.several));
-        if let Some(more) = positions.survey.failures.checked_sub(MOST_FAILURES).filter(|more| *more > 0) {
-            notes.push(text!("analysis-more-failures", more).into());
-        }
+        let warnings = self.warnings(&Seen {
+            at_change_points: &positions.at_change_points,
+            survey: &positions.survey,
+            several: &positions.several,
+            without_forces: &samples.without,
+        });
         Ok(Analysis {
             title: mechanism.title.clone(),
             input: InputReport {
@@ -83,7 +83,7 @@ impl Calculation {
             no_motion: self.no_motion.as_ref().map(Describe::describe),
             friction: self.friction_cycle(),
             several: positions.several,
-            notes,
+            warnings,
             checks: Vec::new(),
             residuals: Table::default(),
         })

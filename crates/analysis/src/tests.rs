@@ -265,7 +265,7 @@ fn idle_loads_and_missing_times_are_noted() {
              [link.slider]\npoints = {{ B = 0 }}\nmass = 2\n[[slide]]\nlink = 'slider'\non = 'ground'\n\
              [input]\nlink = 'crank'\npositions = 8\n[motion]\n{motion}\n{load}\n[assembly]\nB = [0.4, 0]"
         );
-        analyzed(&scene).notes.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n")
+        analyzed(&scene).warnings.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n")
     };
     let told = |load: &str| scene(load, "speed = 3");
     assert_eq!(told("[[moment]]\nlink = 'rod'\nvalue = 5"), "");

@@ -1,5 +1,6 @@
 //! Numbers as they are shown.
 
+use assur_figure::number::trimmed;
 use assur_words::{Text, name, number};
 
 /// What stands for a value that is not determined. No text shows a number that is not finite: every number of it passes
@@ -59,11 +60,7 @@ fn is_rounding(value: f64, greatest: f64) -> bool {
 
 /// One value with six significant digits and no zeros at the end.
 pub(crate) fn short(value: f64) -> String {
-    let text = digits(value, value.abs());
-    if text.contains('.') && !text.contains('e') {
-        return text.trim_end_matches('0').trim_end_matches('.').to_owned();
-    }
-    text
+    trimmed(value, 6)
 }
 
 /// One value with as many decimals as the largest beside it needs for six significant digits.

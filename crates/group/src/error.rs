@@ -1,7 +1,7 @@
 //! Why a group has no solution.
 
 use assur_number::Real;
-use assur_words::{Describe, Text, number, quantity, text};
+use assur_words::{Describe, Text, millimeters, number, text};
 
 /// Why a group has no solution at one position. The chain adds the group, the position and the coordinate.
 #[derive(Clone, Copy, PartialEq)]
@@ -38,7 +38,7 @@ impl Describe for GroupError {
         match *self {
             Self::NoAssembly { gap_m: 0.0 } => text!("group-no-assembly-found"),
             Self::NoAssembly { gap_m } => {
-                text!("group-no-assembly", gap = quantity(format_args!("{:.6}", gap_m * 1e3), "mm"))
+                text!("group-no-assembly", gap = millimeters(gap_m, 6))
             }
             Self::Singular { health } => text!("group-singular", determinant = determinant(health)),
             Self::SingularStart { health } => {

@@ -15,10 +15,11 @@ integrator-unsupported = integrator `{ $method }` does not support this equation
 integrator-no-method = no linked integrator supports this equation ({ $equation })
 integrator-step-too-small = the motion can't be followed beyond { $state }: the tolerance asks for steps below { $step } s; loosen it, or look for a load or an inertia that grows without limit there
 integrator-too-many-steps = the motion got to { $state } in { $steps } steps, the most that are allowed; the last one was { $step } s; { $advice }
-integrator-advice-stiff = the equation is probably stiff (h*lambda = { $product }: stability, not accuracy, holds the step): use `radau5`
+integrator-implicit = an implicit method
+integrator-advice-stiff = the equation is probably stiff (h*lambda = { $product }: stability, not accuracy, holds the step): use { $method }
 integrator-advice-not-stiff = it does not look stiff (h*lambda = { $product }): { integrator-advice }
 integrator-advice = loosen the tolerance, allow more steps (`max_steps`), or end the motion earlier (`until`)
-integrator-unstable = the fixed step { $step } s is unstable at { $state }: h*lambda = { $product }, at most { $allowed } is allowed; take a step below { $below } s, or `radau5` if the equation is stiff
+integrator-unstable = the fixed step { $step } s is unstable at { $state }: h*lambda = { $product }, at most { $allowed } is allowed; take a step below { $below } s, or { $method } if the equation is stiff
 integrator-end-of-range = the motion reaches the end of its range at { $state }: { $cause }; end it before (`until`), or check whether the mechanism should pass there
 integrator-no-value = the equation of motion has no value after { $state }: { $cause }
 integrator-not-reached = { $goal } is never reached: the motion got to { $state } and { $why }

@@ -19,10 +19,11 @@ integrator-too-many-steps = движение дошло до { $state } за { $
         [few] { $steps } шага
        *[many] { $steps } шагов
     }, больше не разрешено; последний шаг { $step } с; { $advice }
-integrator-advice-stiff = уравнение, вероятно, жёсткое (h·λ = { $product }: шаг ограничивает устойчивость, а не точность): возьмите `radau5`
+integrator-implicit = неявный метод
+integrator-advice-stiff = уравнение, вероятно, жёсткое (h·λ = { $product }: шаг ограничивает устойчивость, а не точность): возьмите { $method }
 integrator-advice-not-stiff = оно не похоже на жёсткое (h·λ = { $product }): { integrator-advice }
 integrator-advice = увеличьте допуск, разрешите больше шагов (`max_steps`) или закончите движение раньше (`until`)
-integrator-unstable = постоянный шаг { $step } с неустойчив при { $state }: h·λ = { $product }, допустимо { $allowed }; возьмите шаг меньше { $below } с или `radau5`, если уравнение жёсткое
+integrator-unstable = постоянный шаг { $step } с неустойчив при { $state }: h·λ = { $product }, допустимо { $allowed }; возьмите шаг меньше { $below } с или { $method }, если уравнение жёсткое
 integrator-end-of-range = движение доходит до границы своей области при { $state }: { $cause }; закончите его раньше (`until`) или проверьте, должен ли механизм там проходить
 integrator-no-value = уравнение движения не имеет значения после { $state }: { $cause }
 integrator-not-reached = { $goal } не достигается: движение дошло до { $state } и { $why }

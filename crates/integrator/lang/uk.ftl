@@ -19,10 +19,11 @@ integrator-too-many-steps = рух дійшов до { $state } за { $steps ->
         [few] { $steps } кроки
        *[many] { $steps } кроків
     }, більше не дозволено; останній крок { $step } с; { $advice }
-integrator-advice-stiff = рівняння, імовірно, жорстке (h·λ = { $product }: крок обмежує стійкість, а не точність): візьміть `radau5`
+integrator-implicit = неявний метод
+integrator-advice-stiff = рівняння, імовірно, жорстке (h·λ = { $product }: крок обмежує стійкість, а не точність): візьміть { $method }
 integrator-advice-not-stiff = воно не схоже на жорстке (h·λ = { $product }): { integrator-advice }
 integrator-advice = збільште допуск, дозвольте більше кроків (`max_steps`) або завершіть рух раніше (`until`)
-integrator-unstable = сталий крок { $step } с нестійкий при { $state }: h·λ = { $product }, допустимо { $allowed }; візьміть крок, менший за { $below } с, або `radau5`, якщо рівняння жорстке
+integrator-unstable = сталий крок { $step } с нестійкий при { $state }: h·λ = { $product }, допустимо { $allowed }; візьміть крок, менший за { $below } с, або { $method }, якщо рівняння жорстке
 integrator-end-of-range = рух доходить до межі своєї області при { $state }: { $cause }; завершіть його раніше (`until`) або перевірте, чи має механізм там проходити
 integrator-no-value = рівняння руху не має значення після { $state }: { $cause }
 integrator-not-reached = { $goal } не досягається: рух дійшов до { $state } і { $why }

@@ -3,7 +3,7 @@
 use assur_plugin::RegistryError;
 use assur_words::{Describe, Text, name, number, text};
 
-use crate::{Dependence, MotionError, Request, State, Until};
+use crate::{Dependence, MotionError, Request, State, Until, integrators};
 
 /// Why there is no trajectory.
 #[derive(Clone)]
@@ -129,7 +129,8 @@ impl Describe for IntegrationError {
                 state = at.describe(),
                 product = number(format_args!("{product:.2}")),
                 allowed = number(allowed),
-                below = number(format_args!("{:.2e}", step * allowed / product))
+                below = number(format_args!("{:.2e}", step * allowed / product)),
+                method = implicit()
             ),
             Self::EndOfRange { at, source } => {
                 text!("integrator-end-of-range", state = at.describe(), cause = source.describe())
@@ -156,12 +157,18 @@ impl Describe for Until {
     }
 }
 
+/// The method that stiff equations ask for: one that declares it, if a program has one.
+fn implicit() -> Text {
+    let stiff = integrators().unwrap_or_default().into_iter().find(|plugin| plugin.stiff);
+    stiff.map_or_else(|| text!("integrator-implicit"), |plugin| name(format!("`{}`", plugin.name)))
+}
+
 /// What to do about too many steps.
 fn advice(stiffness: Option<f64>) -> Text {
     let rounded = |product: f64| number(format_args!("{product:.2}"));
     match stiffness {
         Some(product) if product > SUSPICIOUS => {
-            text!("integrator-advice-stiff", product = rounded(product))
+            text!("integrator-advice-stiff", product = rounded(product), method = implicit())
         }
         Some(product) => text!("integrator-advice-not-stiff", product = rounded(product)),
         None => text!("integrator-advice"),

@@ -3,7 +3,7 @@
 use assur_group::{BuildError, GroupError};
 use assur_mechanism::{Key, Name};
 use assur_structure::StructureError;
-use assur_words::{Describe, Text, joined, list, name, quantity, text};
+use assur_words::{Describe, Text, joined, list, name, text};
 
 /// Why a mechanism can't be compiled.
 #[derive(Clone, PartialEq)]
@@ -71,11 +71,7 @@ const VAST: f64 = 10.0;
 impl PositionError {
     /// A coordinate in the units of messages: degrees or millimeters.
     fn show(&self, coordinate: f64) -> Text {
-        if self.angular {
-            quantity(format_args!("{:.4}", coordinate.to_degrees()), "deg")
-        } else {
-            quantity(format_args!("{:.4}", coordinate * 1e3), "mm")
-        }
+        assur_words::coordinate(coordinate, self.angular, 4)
     }
 }
 

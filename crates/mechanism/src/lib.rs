@@ -12,10 +12,10 @@ mod inertia;
 mod key;
 mod load;
 mod name;
-mod notice;
 mod numbers;
 mod point;
 mod size;
+mod warning;
 
 pub use alike::{appearance, likeness};
 pub use drive::{
@@ -30,13 +30,13 @@ pub use load::{
 };
 pub use name::Name;
 pub use name::Named;
-pub use notice::{Notice, NoticeKind};
 pub use numbers::links_of_length_zero;
 pub use point::ReductionPoint;
 pub use size::{
     LONGEST_NAME, MOST_KEPT, MOST_LINKS, MOST_LOADS, MOST_PARTS_DRAWN, MOST_PARTS_KEPT, MOST_PARTS_SAMPLED,
     MOST_PLACES, MOST_SAMPLES, MOST_SLIDES, MOST_STEPS_KEPT,
 };
+pub use warning::{Warning, WarningKind};
 
 assur_words::resources!();
 
@@ -82,7 +82,7 @@ pub struct Mechanism {
     /// The wanted results; `None`: everything.
     pub output: Option<Output>,
     /// What is probably not meant, as far as reading the scene tells.
-    pub notes: Vec<Notice>,
+    pub warnings: Vec<Warning>,
 }
 
 /// A rigid link.

@@ -1,6 +1,7 @@
 //! Finding one motor among rows by what someone typed.
 
-use assur_words::{Text, name, text};
+use assur_mechanism::appearance;
+use assur_words::{Text, name, text, to_ascii};
 
 use crate::error::names;
 use crate::{Motor, MotorError};
@@ -120,17 +121,14 @@ fn nearest<'a>(rows: impl IntoIterator<Item = &'a Motor>, designation: &str) -> 
 /// Designation by look: upper case, without spaces, every Cyrillic letter that looks like a Latin one
 /// replaced by it. `4а 100l4` and `4A100L4` become `4A100L4`.
 pub fn normalize_designation(text: &str) -> String {
-    text.chars().filter(|c| !c.is_whitespace()).flat_map(char::to_uppercase).map(look_alike).collect()
+    let letters = text.chars().filter(|c| !c.is_whitespace());
+    appearance(&letters.flat_map(char::to_uppercase).collect::<String>())
 }
 
 /// Designation in ASCII, by sound: `АИР71В4` becomes `AIR71B4`. Case and spacing stay. The Cyrillic letter В
 /// becomes B, as Latin name plates have it; a character without a Latin form becomes `?`.
 pub fn latin_designation(text: &str) -> String {
-    let mut latin = String::with_capacity(text.len());
-    for c in text.chars() {
-        push_latin(&mut latin, c);
-    }
-    latin
+    text.chars().map(latin).collect()
 }
 
 /// Whether two designations are the same without regard to case, spaces and script.
@@ -153,44 +151,16 @@ pub(crate) fn without_climate(key: &str) -> &str {
     base.filter(|base| base.ends_with(|c: char| c.is_ascii_digit())).unwrap_or(key)
 }
 
-/// The Latin letter that looks like this Cyrillic one; every other character as it is.
-fn look_alike(c: char) -> char {
-    let pair = "АВЕЁЅІЇЈКМНОРСТУХ".chars().zip("ABEESIIJKMHOPCTYX".chars()).find(|pair| pair.0 == c);
-    pair.map_or(c, |pair| pair.1)
-}
-
-fn push_latin(latin: &mut String, c: char) {
-    if c.is_ascii() {
-        latin.push(c);
-    } else if c.is_whitespace() {
-        latin.push(' ');
-    } else if c.is_lowercase() {
-        latin.extend(
-            c.to_uppercase().flat_map(|upper| by_sound(upper).chars()).map(|l| l.to_ascii_lowercase()),
-        );
-    } else {
-        latin.push_str(by_sound(c));
-    }
-}
-
-/// Latin letters of an upper-case Cyrillic one by its sound.
-fn by_sound(upper: char) -> &'static str {
-    const CYRILLIC: &str = "АБВГҐДЕЁЭЗИІЇЙЈКЛМНОПРСЅТУФХЦЫ";
-    const LATIN: &str = "ABBGGDEEEZIIIJJKLMNOPRSSTUFHCY";
-    if let Some(at) = CYRILLIC.chars().position(|c| c == upper) {
-        return &LATIN[at..=at];
-    }
-    match upper {
-        'Ж' => "ZH",
-        'Ч' => "CH",
-        'Ш' => "SH",
-        'Щ' => "SCH",
-        'Ъ' | 'Ь' => "",
-        'Ю' => "YU",
-        'Я' => "YA",
-        'Є' => "YE",
-        '·' => "*",
-        '–' | '—' | '\u{2011}' => "-",
-        _ => "?",
-    }
+/// A character of a designation in ASCII. A few letters are written otherwise than in words.
+fn latin(c: char) -> String {
+    let upper = match c.to_uppercase().next().unwrap_or(c) {
+        'В' => "B".to_owned(),
+        'Ї' => "I".to_owned(),
+        'Й' => "J".to_owned(),
+        'Х' => "H".to_owned(),
+        'Ц' => "C".to_owned(),
+        'Щ' => "SCH".to_owned(),
+        upper => to_ascii(&upper.to_string()).to_ascii_uppercase(),
+    };
+    if c.is_lowercase() { upper.to_ascii_lowercase() } else { upper }
 }

@@ -183,7 +183,7 @@ fn limits(context: &Context<'_>, page: &mut Document) {
     page.paragraph(text!(model));
     page.paragraph(text!("note-sources"));
     let (analysis, broken) = (&context.found.analysis, &context.results.broken);
-    analysis.notes.iter().for_each(|note| page.paragraph(Text::from(note)));
+    analysis.warnings.iter().for_each(|note| page.paragraph(Text::from(note)));
     let positions = |all: Vec<usize>| list(all.into_iter().map(number));
     if !broken.is_empty() {
         page.paragraph(text!("note-no-position", positions = positions(broken.keys().copied().collect())));

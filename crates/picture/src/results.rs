@@ -9,7 +9,7 @@ use assur_analysis::results::{Column, Owner, Quantity, Table};
 use assur_figure::number::plain;
 use assur_group::{GroupError, Order};
 use assur_kinematics::{Linkage, Modes, Position, PositionError};
-use assur_words::{Describe, Text, number, quantity, text};
+use assur_words::{Describe, Text, millimeters, number, quantity, text};
 
 use crate::{Found, Outline, Series, Transfer, coordinate_at, coordinate_unit, transfer};
 
@@ -226,7 +226,7 @@ fn failure(linkage: &Linkage, index: usize, error: &PositionError) -> Text {
     let (unit, factor) = coordinate_unit(linkage);
     let at = quantity(plain(factor * error.coordinate), unit);
     let place = text!("position-at", position = number(index), at = at);
-    let gap = quantity(format_args!("{:.4}", 1e3 * gap_m), "mm");
+    let gap = millimeters(gap_m, 4);
     let group = linkage.structure.group_name(&linkage.mechanism, error.group);
     match linkage.range.filter(|range| !range.full) {
         Some(range) => {

@@ -4,13 +4,10 @@
 //! the text report converts (degrees, millimeters).
 
 pub mod csv;
-mod fold;
 pub mod json;
 mod template;
 pub mod text;
 pub mod topic;
-
-pub use fold::{latin, to_ascii};
 
 assur_words::resources!();
 

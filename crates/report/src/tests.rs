@@ -4,12 +4,12 @@ use std::sync::Arc;
 
 use crate::csv::{CsvCell, CsvError, CsvTable, of_positions, write};
 use crate::json::analysis::to_json;
-use crate::to_ascii;
 use assur_analysis::results::{
     Analysis, Column, Cycle, InputReport, Owner, Peaks, Quantity, Schema, Section, Starts, StructureReport,
     Survey, Table,
 };
 use assur_mechanism::{Mechanism, Named, PairId};
+use assur_words::to_ascii;
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::record::Field;
 
@@ -79,7 +79,7 @@ fn analysis(angle: f64) -> Analysis {
         dynamics: None,
         integration: None,
         no_motion: None,
-        notes: Vec::new(),
+        warnings: Vec::new(),
         friction: None,
         several: Vec::new(),
         cycle: Cycle::default(),

@@ -4,7 +4,7 @@ use std::cell::{Cell, RefCell};
 use std::collections::HashMap;
 use std::ops::Range;
 
-use assur_mechanism::{Key, LONGEST_NAME, Notice};
+use assur_mechanism::{Key, LONGEST_NAME, Warning};
 use assur_words::{Text, text};
 use toml::de::DeTable;
 
@@ -182,19 +182,19 @@ impl Faults {
     }
 
     /// What is allowed, but probably not meant, at its key in the tables of the file: once for each key, in the order of the file.
-    pub(crate) fn mistakes(&self, tables: &DeTable<'_>) -> Vec<Notice> {
+    pub(crate) fn mistakes(&self, tables: &DeTable<'_>) -> Vec<Warning> {
         let mut mistakes = self.mistakes.borrow().clone();
         mistakes.sort_by_key(|(span, _)| span.start);
-        let mut notes: Vec<Notice> = Vec::new();
+        let mut warnings: Vec<Warning> = Vec::new();
         let keys = if mistakes.is_empty() { HashMap::new() } else { keys(tables) };
         for (span, text) in mistakes {
             let key = keys.get(&span.start).map(Key::of_list);
-            let same = |note: &Notice| note.key == key && note.text.identity() == text.identity();
-            if !notes.iter().any(same) {
-                notes.push(Notice::mistake(key, text));
+            let same = |one: &Warning| one.key == key && one.text.identity() == text.identity();
+            if !warnings.iter().any(same) {
+                warnings.push(Warning::mistake(key, text));
             }
         }
-        notes
+        warnings
     }
 
     pub(crate) fn is_empty(&self) -> bool {

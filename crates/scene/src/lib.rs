@@ -5,7 +5,6 @@
 
 mod context;
 pub mod document;
-mod doubts;
 mod drive;
 pub mod edit;
 mod error;
@@ -17,6 +16,7 @@ mod limits;
 mod linkage;
 mod links;
 mod loads;
+mod mistakes;
 mod motion;
 mod numbers;
 mod reading;
@@ -138,14 +138,14 @@ fn scene(root: &Section<'_>) -> (Mechanism, Note) {
     };
     let input = input.unwrap_or_default();
     let SceneLinks { links, points, slides, has_units, .. } = linkage;
-    let mut mechanism = Mechanism { links, points, slides, input, notes: root.mistakes(), ..mechanism };
+    let mut mechanism = Mechanism { links, points, slides, input, warnings: root.mistakes(), ..mechanism };
     if root.faults.is_empty() {
         inertia::refuse_impossible(root, &mechanism);
         let gives_inertia = |link: &str| {
             let key = Key::of("link").at(link).at("inertia");
             edit::within(root.table(), key.steps()).is_ok()
         };
-        mechanism.notes.extend(doubts::of(&mechanism, has_units, gives_inertia));
+        mechanism.warnings.extend(mistakes::of(&mechanism, has_units, gives_inertia));
     }
     (mechanism, note)
 }

@@ -87,7 +87,7 @@ impl<'a> Section<'a> {
     }
 
     /// What is allowed, but probably not meant, as far as it was read.
-    pub(crate) fn mistakes(&self) -> Vec<assur_mechanism::Notice> {
+    pub(crate) fn mistakes(&self) -> Vec<assur_mechanism::Warning> {
         self.faults.mistakes(self.table)
     }
 

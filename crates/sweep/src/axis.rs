@@ -146,7 +146,7 @@ impl Axis {
     }
 
     /// What is said of ends without a unit that are SI, where in the unit of the scene they would be nearer to the value of the scene.
-    pub(crate) fn doubt(&self) -> Option<Text> {
+    pub(crate) fn warning(&self) -> Option<Text> {
         let (own, written) =
             self.written.as_ref().filter(|_| self.name.is_empty() && self.follows.is_none())?;
         let (measures, end) = (self.measures?, self.from.abs().max(self.to.abs()));

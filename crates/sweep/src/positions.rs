@@ -11,7 +11,7 @@ use assur_kinematics::{LanePosition, PositionError, ScalarMotion};
 use assur_mechanism::Motion;
 use assur_number::{Lanes, Real};
 use assur_shaking::shaking_size;
-use assur_words::{Describe, Text, number, quantity, text};
+use assur_words::{Describe, Text, millimeters, number, text};
 
 use crate::Status;
 use crate::layout::Layout;
@@ -108,7 +108,7 @@ impl<'a> Positions<'a> {
             }
             (None, None) if linkage.misfits.iter().any(|misfit| !misfit.fits()) => {
                 let worst = linkage.misfits.iter().map(|misfit| misfit.misfit).fold(0.0, f64::max);
-                let misfit = quantity(format_args!("{:.6}", worst * 1e3), "mm");
+                let misfit = millimeters(worst, 6);
                 let message = text!("sweep-misfit", misfit = misfit);
                 Err(Failure { status: Status::NoAssembly, message, failed: Some(0) })
             }

@@ -86,7 +86,7 @@ pub struct Sweep {
     pub(crate) columns: Arc<Columns>,
     count: usize,
     /// What is probably not meant in the call itself.
-    doubts: Vec<(Text, Text)>,
+    warnings: Vec<(Text, Text)>,
 }
 
 impl Sweep {
@@ -125,12 +125,12 @@ impl Sweep {
         let layout = Layout::of(&richest, &options, reach, (&measures, &targets))?;
         let places = richest.points.iter().flat_map(|point| &point.places);
         let size = places.map(|place| elementary::hypot(place.at[0], place.at[1])).fold(0.0, f64::max);
-        let of_units = axes.iter().filter_map(|axis| Some((axis.told(axis.from), axis.doubt()?)));
-        let doubts = of_units.chain(targets.iter().filter_map(|target| target.doubt(size))).collect();
+        let of_units = axes.iter().filter_map(|axis| Some((axis.told(axis.from), axis.warning()?)));
+        let warnings = of_units.chain(targets.iter().filter_map(|target| target.warning(size))).collect();
         let parameters = axes.iter().map(|axis| axis.column.clone()).collect();
         let names = layout.values.iter().map(|value| value.name.clone()).collect();
         let columns = Arc::new(Columns::new(parameters, names, layout.has_motor));
-        Ok(Self { axes, points, variants, layout, measures, between, options, columns, count, doubts })
+        Ok(Self { axes, points, variants, layout, measures, between, options, columns, count, warnings })
     }
 
     /// The columns of its rows.
@@ -247,14 +247,14 @@ impl Sweep {
 
     /// What is probably not meant in the call and at the ends of the ranges, as far as the scene itself does not say it: "link.crank.mass = 3000 kg",
     /// and the note.
-    pub fn doubts(&self) -> Vec<(Text, Text)> {
+    pub fn warnings(&self) -> Vec<(Text, Text)> {
         let mut numbers: Vec<f64> = self.axes.iter().map(|axis| axis.from).collect();
-        let known = &self.variants.base().notes;
-        let mut found = self.doubts.clone();
-        for (index, axis) in self.axes.iter().enumerate().filter(|(_, axis)| axis.doubt().is_none()) {
+        let known = &self.variants.base().warnings;
+        let mut found = self.warnings.clone();
+        for (index, axis) in self.axes.iter().enumerate().filter(|(_, axis)| axis.warning().is_none()) {
             for end in [axis.from, axis.to] {
                 numbers[index] = end;
-                let notes = self.variants.read(&self.axes, &numbers).map(|scene| scene.notes);
+                let notes = self.variants.read(&self.axes, &numbers).map(|scene| scene.warnings);
                 let new = notes.unwrap_or_default().into_iter().filter(|note| !known.contains(note));
                 let told: Vec<_> = new
                     .filter(|note| known.iter().all(|other| other.key != note.key))

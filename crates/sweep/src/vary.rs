@@ -116,7 +116,7 @@ impl Target {
 
 impl Target {
     /// What is said of a place without units that lies far from a mechanism of this size, m.
-    pub(crate) fn doubt(&self, size: f64) -> Option<(Text, Text)> {
+    pub(crate) fn warning(&self, size: f64) -> Option<(Text, Text)> {
         /// A place so many sizes of the mechanism away was meant in mm.
         const FAR: f64 = 20.0;
         let [x, y] = self.at;

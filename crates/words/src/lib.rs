@@ -4,13 +4,18 @@
 //! crate brings along ([`resources!`]); a plugin adds its own in the same way. No sentence is read back, and none is
 //! translated by its English words.
 
+mod ascii;
 mod language;
 mod text;
 
+pub use ascii::{latin, to_ascii};
 pub use inventory;
 pub use language::Resource;
 pub use language::{LANGUAGES, Language};
-pub use text::{Describe, Text, Told, count, joined, list, name, number, quantity, text_of, unit};
+pub use text::{
+    Describe, Text, Told, coordinate, count, degrees, joined, list, millimeters, name, number, quantity,
+    text_of, unit,
+};
 
 resources!();
 

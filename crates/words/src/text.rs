@@ -131,6 +131,21 @@ pub fn quantity(digits: impl Display, symbol: impl Into<Cow<'static, str>>) -> T
     if symbol.is_empty() { number(digits) } else { joined(" ", [number(digits), unit(symbol)]) }
 }
 
+/// A length, m, in millimeters with so many decimals.
+pub fn millimeters(length: f64, decimals: usize) -> Text {
+    quantity(format_args!("{:.decimals$}", 1e3 * length), "mm")
+}
+
+/// An angle, rad, in degrees with so many decimals.
+pub fn degrees(angle: f64, decimals: usize) -> Text {
+    quantity(format_args!("{:.decimals$}", angle.to_degrees()), "deg")
+}
+
+/// An input coordinate with so many decimals: an angle, rad, in degrees, or a length, m, in millimeters.
+pub fn coordinate(value: f64, is_angle: bool, decimals: usize) -> Text {
+    if is_angle { degrees(value, decimals) } else { millimeters(value, decimals) }
+}
+
 /// How many there are of something: `{ $bodies -> [one] a body *[other] { $bodies } bodies }`.
 pub fn count(number: usize) -> Text {
     Text(Content::Count(number))

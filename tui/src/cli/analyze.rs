@@ -54,7 +54,7 @@ pub(crate) fn run(args: &AnalyzeArgs, style: Style) -> Result<Status, Fault> {
     };
     drop(line);
     // The text has its notes itself.
-    for note in analysis.notes.iter().filter(|note| !note.is_mistake() && form != Form::Text) {
+    for note in analysis.warnings.iter().filter(|note| !note.is_mistake() && form != Form::Text) {
         style.tell(text!("cli-note", note));
     }
     if form == Form::Parquet && !analysis.trajectory.is_empty() {

@@ -39,7 +39,7 @@ fn analyzed(
     let results = session.analyzed(options, checks).map_err(Fault::Scene)?;
     let mut verdict = Verdict::default();
     if let Some(found) = &results.found {
-        scene::doubt_motion(session, found.plans.calculation(), style)?;
+        scene::warn_of_motion(session, found.plans.calculation(), style)?;
         verdict = Verdict::of(&found.analysis, found.plans.calculation(), Some(session));
     }
     verdict.tell(style);

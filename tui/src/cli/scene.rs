@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use assur_analysis::{Calculation, Options};
 use assur_kinematics::Linkage;
-use assur_mechanism::Notice;
+use assur_mechanism::Warning;
 use assur_scene::SceneErrors;
 use assur_words::{Describe, Text, joined, text};
 
@@ -20,14 +20,14 @@ use crate::verdict::Verdict;
 /// Reads a scene file. What is probably not meant in it is reported, as far as reading finds it; where that is an error, it is not read.
 pub(crate) fn open(path: &Path, style: Style) -> Result<Session, Fault> {
     let session = Session::open(Source::File(path.to_owned())).map_err(Fault::Scene)?;
-    doubt(&session, &session.mechanism.notes, style)?;
+    warn(&session, &session.mechanism.warnings, style)?;
     Ok(session)
 }
 
 /// The calculation of a scene. What the motion shows to be probably not meant is reported; where that is an error, there is no calculation.
 pub(crate) fn calculation(session: &Session, options: &Options, style: Style) -> Result<Calculation, Fault> {
     let found = calculated(session, options, style)?;
-    doubt_motion(session, &found, style)?;
+    warn_of_motion(session, &found, style)?;
     Ok(found)
 }
 
@@ -38,23 +38,26 @@ pub(crate) fn calculated(session: &Session, options: &Options, style: Style) -> 
 }
 
 /// Tells what the motion of a scene shows to be probably not meant, or refuses it where that is an error.
-pub(crate) fn doubt_motion(session: &Session, calculation: &Calculation, style: Style) -> Result<(), Fault> {
-    // What reading found is reported when the scene is opened.
-    doubt(session, &calculation.doubts()[session.mechanism.notes.len()..], style)
+pub(crate) fn warn_of_motion(
+    session: &Session,
+    calculation: &Calculation,
+    style: Style,
+) -> Result<(), Fault> {
+    warn(session, &calculation.mistakes(), style)
 }
 
 /// Tells what is probably not meant in a scene, or refuses it where that is an error.
-fn doubt(session: &Session, doubts: &[Notice], style: Style) -> Result<(), Fault> {
-    doubted(doubts.iter().map(|doubt| session.doubt(doubt)).collect(), style)
+fn warn(session: &Session, warnings: &[Warning], style: Style) -> Result<(), Fault> {
+    tell_all(warnings.iter().map(|one| session.placed(one)).collect(), style)
 }
 
 /// Tells what is probably not meant, or refuses it where that is an error.
-pub(super) fn doubted(told: Vec<Text>, style: Style) -> Result<(), Fault> {
+pub(super) fn tell_all(told: Vec<Text>, style: Style) -> Result<(), Fault> {
     if style.strict && !told.is_empty() {
         return Err(Fault::Scene(text!("cli-strict", notes = joined("\n", told))));
     }
-    for doubt in told {
-        style.tell(doubt);
+    for warning in told {
+        style.tell(warning);
     }
     Ok(())
 }

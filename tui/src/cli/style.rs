@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::io::Write;
 
-use assur_report::to_ascii;
+use assur_words::to_ascii;
 use assur_words::{Language, Text};
 
 use crate::locale::is_utf8;

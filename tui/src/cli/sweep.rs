@@ -137,9 +137,9 @@ fn sweep(args: &SweepArgs, style: Style) -> Result<Sweep, Fault> {
     let vary = args.vary.iter().map(|vary| Vary::parse(vary, points)).collect::<Result<Vec<_>, _>>();
     let file = args.scene.display().to_string();
     let sweep = Sweep::of(&file, &text, &vary.map_err(fault)?, request).map_err(fault)?;
-    let doubts = sweep.doubts().into_iter();
-    scene::doubted(
-        doubts.map(|(at, note)| text!("cli-sweep-doubt", point = at, note = note)).collect(),
+    let warnings = sweep.warnings().into_iter();
+    scene::tell_all(
+        warnings.map(|(at, note)| text!("cli-sweep-doubt", point = at, note = note)).collect(),
         style,
     )?;
     Ok(sweep)

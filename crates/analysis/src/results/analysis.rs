@@ -3,7 +3,7 @@
 use assur_check::Check;
 use assur_diagram::{Enveloping, Hodograph, PlanSheet, ReactionExtreme, SignChange};
 use assur_integrator::{Event, SolutionCost, State};
-use assur_mechanism::{Key, LinkId, Name, Named, Notice, SlideId};
+use assur_mechanism::{Key, LinkId, Name, Named, SlideId, Warning};
 use assur_words::{Text, text};
 use indexmap::IndexMap;
 use serde::{Serialize, Serializer};
@@ -55,8 +55,8 @@ pub struct Analysis {
     #[serde(flatten)]
     pub friction: Option<FrictionCycle>,
     /// What in the scene is probably not meant, what had to be left out, and what was decided during the calculation.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub notes: Vec<Notice>,
+    #[serde(rename = "notes", skip_serializing_if = "Vec::is_empty")]
+    pub warnings: Vec<Warning>,
     /// Positions in which friction has several solutions, or may have others.
     #[serde(skip)]
     pub several: Vec<Several>,

@@ -66,7 +66,9 @@ fn the_balancing_moment_at_a_change_point_follows_from_the_powers() {
         let balancing = positions.get(row, Column::BALANCING).unwrap();
         assert!((balancing - wanted).abs() < 1e-8, "{row}: {balancing} for {wanted}");
     }
-    assert!(found.notes.iter().any(|note| note.to_string().starts_with("No reactions in positions 4, 10: ")));
+    assert!(
+        found.warnings.iter().any(|note| note.to_string().starts_with("No reactions in positions 4, 10: "))
+    );
 }
 
 #[test]
@@ -76,7 +78,7 @@ fn a_spring_whose_ends_meet_is_told() {
         [input]\nlink = \"crank\"\npositions = 8\n";
     let of = |scene: &str| {
         analyzed(scene)
-            .notes
+            .warnings
             .into_iter()
             .filter(|note| note.to_string().contains("buffer"))
             .collect::<Vec<_>>()
@@ -97,7 +99,7 @@ fn a_spring_whose_ends_meet_is_told() {
 #[test]
 fn a_friction_that_pushes_with_the_sliding_is_told() {
     let of = |text: &str| {
-        let notes = analyzed(text).notes;
+        let notes = analyzed(text).warnings;
         notes.iter().map(ToString::to_string).filter(|note| note.contains("slid")).collect::<Vec<_>>()
     };
     let press = super::text("press");
@@ -128,7 +130,7 @@ fn a_friction_that_pushes_with_the_sliding_is_told() {
 fn a_list_against_the_motion_is_told() {
     let press = super::text("press");
     let listed = |text: &str| {
-        analyzed(text).notes.iter().map(ToString::to_string).find(|note| note.contains("are listed"))
+        analyzed(text).warnings.iter().map(ToString::to_string).find(|note| note.contains("are listed"))
     };
     assert_eq!(listed(&press), None);
     assert_eq!(
@@ -152,7 +154,7 @@ fn a_weight_drives_nothing() {
         ));
         let dynamics = found.dynamics.unwrap();
         assert!(!dynamics.loads_drive());
-        assert!(found.notes.iter().all(|note| note.text.identity() != Some("analysis-loads-drive")));
+        assert!(found.warnings.iter().all(|note| note.text.identity() != Some("analysis-loads-drive")));
     }
 }
 

@@ -1,14 +1,14 @@
 //! Change points, ways that meet and samples without forces are reported.
 
-use assur_mechanism::Notice;
+use assur_mechanism::Warning;
 
 use super::analyzed;
 use crate::results::Column;
 use crate::{Calculation, Options, unwatched};
 
 /// What is reported of the results of a scene, without what is probably not meant in it.
-fn remarks(scene: &str) -> Vec<Notice> {
-    analyzed(scene).notes.into_iter().filter(|note| !note.is_mistake()).collect()
+fn remarks(scene: &str) -> Vec<Warning> {
+    analyzed(scene).warnings.into_iter().filter(|note| !note.is_mistake()).collect()
 }
 
 #[test]
@@ -46,7 +46,7 @@ fn samples_without_forces_say_why() {
         Calculation::of(mechanism, &options, &mut unwatched).unwrap().analyze(&mut unwatched).unwrap();
     let balancing = |row| found.trajectory.get(row, Column::BALANCING);
     assert!(balancing(0).is_none() && balancing(1).is_some());
-    let note = found.notes.iter().find(|note| note.to_string().contains("No forces")).unwrap();
+    let note = found.warnings.iter().find(|note| note.to_string().contains("No forces")).unwrap();
     assert!(note.to_string().starts_with("No forces at 1 sample of the motion; at the first: "), "{note}");
     assert!(!note.to_string().contains("change point"), "{note}");
 }

@@ -4,7 +4,7 @@ use assur_group::{Mode, Order};
 use assur_mechanism::{Balance, GROUND, InputPair, LinkId, Mechanism, PairId, PointId, Slide};
 use assur_number::elementary;
 use assur_structure::{Excess, PassivePart, Structure};
-use assur_words::{Text, quantity, text};
+use assur_words::{Text, millimeters, text};
 
 use crate::Linkage;
 use crate::passive::hang::Hanging;
@@ -40,7 +40,7 @@ pub(super) fn without_passive(mechanism: &Mechanism) -> Result<Structure, Text> 
     match search.best {
         Some(Choice { linkage, rank: Rank::Fits | Rank::Closes | Rank::Near, .. }) => Ok(linkage.structure),
         Some(Choice { misfit, .. }) => {
-            let misfit = quantity(format_args!("{:.3}", misfit * 1e3), "mm");
+            let misfit = millimeters(misfit, 3);
             Err(text!("kinematics-misses", misfit))
         }
         None => Err(Text::default()),

@@ -10,7 +10,7 @@ use ::csv::Writer;
 use assur_words::{Describe, Text, errors, name, text};
 
 use crate::json::NotFinite;
-use crate::to_ascii;
+use assur_words::to_ascii;
 
 pub use analysis::{CsvTable, FILES, of_positions, of_trajectory};
 pub use geometry::{geometry, shaking};

@@ -7,7 +7,7 @@ use textwrap::Options;
 use textwrap::WordSeparator::AsciiSpace;
 use textwrap::WordSplitter::NoHyphenation;
 
-use crate::to_ascii;
+use assur_words::to_ascii;
 
 /// How a text is written.
 #[derive(Debug, Clone, Copy)]

@@ -169,7 +169,7 @@ fn forces_of(source: &Source<'_>, page: &mut Document) {
 fn remarks(source: &Source<'_>, page: &mut Document) {
     let analysis = source.analysis;
     let failures: Vec<_> = analysis.failures.iter().map(|failure| failure.message.clone()).collect();
-    let notes: Vec<_> = analysis.notes.iter().map(Text::from).collect();
+    let notes: Vec<_> = analysis.warnings.iter().map(Text::from).collect();
     for (heading, lines) in [(text!("report-notes"), notes), (text!("report-failures"), failures)] {
         if !lines.is_empty() {
             page.heading(heading);

@@ -191,8 +191,8 @@ fn a_default_is_what_holds_without_its_key() {
                     continue;
                 };
                 // What is left out may be doubted, what is written is meant.
-                left_out.mechanism.notes.clear();
-                written.mechanism.notes.clear();
+                left_out.mechanism.warnings.clear();
+                written.mechanism.warnings.clear();
                 assert_eq!(left_out.note, written.note, "{name}");
                 let [left_out, written] =
                     [left_out, written].map(|reading| format!("{:?}", reading.mechanism));

@@ -33,7 +33,7 @@ fn every_number_of_every_scene_is_set_as_it_is_read() {
                 let si = axes[0].si(number);
                 let found = sweep.variants.mechanism(axes, &[number], &[si], scratch.take()).unwrap();
                 let known = sweep.variants.read(axes, &[number]).unwrap();
-                let known = Mechanism { notes: found.notes.clone(), ..known };
+                let known = Mechanism { warnings: found.warnings.clone(), ..known };
                 assert_eq!(found, known, "{name}: {} = {number}", value.key);
                 assert_eq!(format!("{found:?}"), format!("{known:?}"), "signs of zeros too");
                 scratch = Some(found);
@@ -77,7 +77,7 @@ fn set_as_read(scene: &str, ranges: &[&str], sets: bool) {
         let si: Vec<f64> = sweep.axes.iter().zip(&numbers).map(|(axis, number)| axis.si(*number)).collect();
         let found = sweep.variants.mechanism(&sweep.axes, &numbers, &si, scratch.take()).unwrap();
         let known = sweep.variants.read(&sweep.axes, &numbers).unwrap();
-        assert_eq!(found, Mechanism { notes: found.notes.clone(), ..known }, "{ranges:?}: {numbers:?}");
+        assert_eq!(found, Mechanism { warnings: found.warnings.clone(), ..known }, "{ranges:?}: {numbers:?}");
         scratch = Some(found);
     }
 }

@@ -20,7 +20,7 @@ fn the_text_of_a_specimen_reads_as_the_same_mechanism() {
         let mut read =
             assur_scene::read("specimen.toml", &text).unwrap_or_else(|e| panic!("seed {seed}: {e}\n{text}"));
         // Random numbers may look like mistakes: a resistance that drives, a link much heavier than the others.
-        read.notes.clear();
+        read.warnings.clear();
         assert_eq!(read, specimen.mechanism, "seed {seed}\n{text}");
     }
 }

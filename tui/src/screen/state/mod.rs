@@ -139,7 +139,7 @@ impl State {
 
     pub(crate) fn told(&self, text: impl Into<Text>) -> String {
         let told = text.into().render(self.language());
-        if self.look.ascii { assur_report::latin(&told).into_owned() } else { told }
+        if self.look.ascii { assur_words::latin(&told).into_owned() } else { told }
     }
 
     /// Whether figures are shown as pictures now: not below a list or a text that is open.

@@ -333,7 +333,7 @@ fn a_rotor_that_counts_as_massless_is_told_in_a_transient_motion() {
     // The catalogue 4A has no moments of inertia.
     let state = opened("compressor-start");
     let notes: Vec<String> =
-        state.found().unwrap().analysis.notes.iter().map(|note| note.text.to_string()).collect();
+        state.found().unwrap().analysis.warnings.iter().map(|note| note.text.to_string()).collect();
     assert!(notes.iter().any(|note| note.contains("4A100L4") || note.contains("4А100L4")), "{notes:?}");
 }
 

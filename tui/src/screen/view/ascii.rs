@@ -3,7 +3,7 @@
 #[cfg(test)]
 mod tests;
 
-use assur_motor::latin_designation;
+use assur_words::to_ascii;
 use ratatui::buffer::Buffer;
 
 /// Replaces every character beyond ASCII by the nearest ASCII character.
@@ -42,7 +42,7 @@ fn nearest(c: char) -> char {
         '“' | '”' => '"',
         '\u{2801}'..='\u{28ff}' => '*',
         '\u{2800}' => ' ',
-        // Letters as in the designations of motors; anything else is a question mark.
-        other => latin_designation(&other.to_string()).chars().next().unwrap_or(' '),
+        // In one cell the first letter; anything unknown is a question mark.
+        other => to_ascii(&other.to_string()).chars().next().unwrap_or(' '),
     }
 }

@@ -2,7 +2,7 @@
 
 use assur_analysis::results::Analysis;
 use assur_figure::Figure;
-use assur_mechanism::Notice;
+use assur_mechanism::Warning;
 use assur_picture::motion::{figure, heading};
 use assur_report::text::Line;
 use assur_report::topic::{self, Source};
@@ -59,10 +59,10 @@ fn iteration(state: &State, scene: &Scene, found: &Found, area: Rect, buffer: &m
 /// How the regime was found and its motor chosen, in lines of a width.
 pub(super) fn told(state: &State, scene: &Scene, found: &Found, width: u16) -> Vec<Line> {
     let source = Source::of(&found.analysis, &scene.linkage, Some(&[]));
-    let of_motor = |note: &&Notice| note.text.identity() == Some("analysis-motors-passed-over");
+    let of_motor = |note: &&Warning| note.text.identity() == Some("analysis-motors-passed-over");
     page::told(state, width.saturating_sub(2), |page| {
         topic::iteration(&source, page);
-        found.analysis.notes.iter().filter(of_motor).for_each(|note| page.paragraph(Text::from(note)));
+        found.analysis.warnings.iter().filter(of_motor).for_each(|note| page.paragraph(Text::from(note)));
     })
 }
 

@@ -4,7 +4,7 @@ mod task;
 
 use std::collections::HashMap;
 
-use assur_mechanism::{GROUND, Key, LinkId, Mechanism, Notice, Place, appearance};
+use assur_mechanism::{GROUND, Key, LinkId, Mechanism, Place, Warning, appearance};
 use assur_words::{name, quantity, text};
 
 use crate::text::{codes, rounded, shown};
@@ -29,38 +29,38 @@ const MOST_TIMES_HEAVIER: f64 = 300.0;
 
 /// Everything that is probably not meant; `units`: whether lengths of links have units, `gives_inertia`: whether a link of this name
 /// has a moment of inertia, be it 0.
-pub(crate) fn of(mechanism: &Mechanism, units: bool, gives_inertia: impl Fn(&str) -> bool) -> Vec<Notice> {
-    let mut notices = names(mechanism);
-    notices.extend(masses(mechanism));
+pub(crate) fn of(mechanism: &Mechanism, units: bool, gives_inertia: impl Fn(&str) -> bool) -> Vec<Warning> {
+    let mut warnings = names(mechanism);
+    warnings.extend(masses(mechanism));
     let extents: Vec<f64> = (0..mechanism.links.len()).map(|link| extent(mechanism, link)).collect();
     for link in 0..mechanism.links.len() {
-        notices.extend(length(mechanism, link, &extents));
+        warnings.extend(length(mechanism, link, &extents));
     }
     // A boom of "30 m" is one.
-    notices.extend(all_lengths(mechanism, &extents).filter(|_| !units));
+    warnings.extend(all_lengths(mechanism, &extents).filter(|_| !units));
     let size = extents.iter().copied().fold(0.0, f64::max);
-    if notices.is_empty() && size > 0.0 {
-        notices.extend(task::of(mechanism, size));
+    if warnings.is_empty() && size > 0.0 {
+        warnings.extend(task::of(mechanism, size));
         for (link, length) in extents.iter().enumerate().skip(GROUND + 1) {
-            notices.extend(inertia(mechanism, link, size, *length));
-            notices.extend(center(mechanism, link, size));
-            notices.extend(without_mass(mechanism, link));
+            warnings.extend(inertia(mechanism, link, size, *length));
+            warnings.extend(center(mechanism, link, size));
+            warnings.extend(without_mass(mechanism, link));
             let missing = without_inertia(mechanism, link, &extents);
-            notices.extend(missing.filter(|_| !gives_inertia(&mechanism.links[link].name)));
+            warnings.extend(missing.filter(|_| !gives_inertia(&mechanism.links[link].name)));
         }
     }
-    notices
+    warnings
 }
 
 /// Points with names that look the same, but are written in different alphabets.
-fn names(mechanism: &Mechanism) -> Vec<Notice> {
+fn names(mechanism: &Mechanism) -> Vec<Warning> {
     let mut seen: HashMap<String, &str> = HashMap::new();
-    let mut notices = Vec::new();
+    let mut warnings = Vec::new();
     for point in &mechanism.points {
         let like = *seen.entry(appearance(&point.name)).or_insert(&point.name);
         if like != point.name.as_str() {
             let link = point.places.first().map_or(GROUND, |place| place.link);
-            notices.push(Notice::mistake(
+            warnings.push(Warning::mistake(
                 key(mechanism, link).at("points").at(&point.name),
                 text!(
                     "scene-same-appearance",
@@ -71,7 +71,7 @@ fn names(mechanism: &Mechanism) -> Vec<Notice> {
             ));
         }
     }
-    notices
+    warnings
 }
 
 /// The key of a link.
@@ -96,22 +96,22 @@ fn middle(lengths: impl Iterator<Item = f64>) -> Option<f64> {
 }
 
 /// Links that are mostly too long for a machine.
-fn all_lengths(mechanism: &Mechanism, extents: &[f64]) -> Option<Notice> {
+fn all_lengths(mechanism: &Mechanism, extents: &[f64]) -> Option<Warning> {
     let middle = middle(extents.iter().skip(1).copied()).filter(|middle| *middle > LONGEST)?;
     let link = (1..extents.len()).find(|link| extents[*link] >= middle)?;
     let text = text!("scene-long-links", length = quantity(rounded(middle), "m"));
-    Some(Notice::mistake(key(mechanism, link).at("points"), text))
+    Some(Warning::mistake(key(mechanism, link).at("points"), text))
 }
 
 /// A link that is far longer than the others.
-fn length(mechanism: &Mechanism, link: LinkId, extents: &[f64]) -> Option<Notice> {
+fn length(mechanism: &Mechanism, link: LinkId, extents: &[f64]) -> Option<Warning> {
     let others = extents.iter().enumerate().filter(|(other, _)| *other != link).map(|(_, extent)| *extent);
     let middle = middle(others)?;
     (extents[link] > MOST_TIMES_LONGER * middle).then(|| {
         let [own, middle] = [extents[link], middle].map(|length| quantity(rounded(length), "m"));
         let link_name = shown(&mechanism.links[link].name);
         let text = text!("scene-far-longer", link = link_name, length = own, others = middle);
-        Notice::mistake(key(mechanism, link).at("points"), text)
+        Warning::mistake(key(mechanism, link).at("points"), text)
     })
 }
 
@@ -122,7 +122,7 @@ fn is_pinned(mechanism: &Mechanism, link: LinkId) -> bool {
 }
 
 /// A moment of inertia that belongs to a far greater body.
-fn inertia(mechanism: &Mechanism, link: LinkId, size: f64, length: f64) -> Option<Notice> {
+fn inertia(mechanism: &Mechanism, link: LinkId, size: f64, length: f64) -> Option<Warning> {
     let body = &mechanism.links[link];
     let radius = (body.inertia.constant() / body.mass).sqrt();
     let most = if is_pinned(mechanism, link) { MOST_TIMES_THE_SIZE } else { MOST_OF_A_COUPLER };
@@ -139,11 +139,11 @@ fn inertia(mechanism: &Mechanism, link: LinkId, size: f64, length: f64) -> Optio
     let [radius, size] =
         [radius, if radius > size { size } else { length }].map(|length| quantity(rounded(length), "m"));
     let text = text!(id, link = shown(&body.name), radius = radius, size = size);
-    Some(Notice::mistake(key(mechanism, link).at("inertia"), text))
+    Some(Warning::mistake(key(mechanism, link).at("inertia"), text))
 }
 
 /// Links whose mass has another unit than those of the others: far from every other one, or else far above the middle one.
-fn masses(mechanism: &Mechanism) -> Vec<Notice> {
+fn masses(mechanism: &Mechanism) -> Vec<Warning> {
     let links = || mechanism.links.iter().enumerate().skip(GROUND + 1).filter(|(_, body)| body.mass > 0.0);
     let doubt = |link: LinkId, alone: bool| {
         let mass = mechanism.links[link].mass;
@@ -162,7 +162,7 @@ fn masses(mechanism: &Mechanism) -> Vec<Notice> {
             let id = if heavy { "scene-far-heavier" } else { "scene-far-lighter" };
             let link_name = shown(&mechanism.links[link].name);
             let text = text!(id, link = link_name, mass = own, others = others);
-            Notice::mistake(key(mechanism, link).at("mass"), text)
+            Warning::mistake(key(mechanism, link).at("mass"), text)
         })
     };
     let found = |alone: bool| links().filter_map(|(link, _)| doubt(link, alone)).collect::<Vec<_>>();
@@ -171,17 +171,17 @@ fn masses(mechanism: &Mechanism) -> Vec<Notice> {
 }
 
 /// A link that is pinned to nothing fixed moves as a whole: what has a moment of inertia has a mass there.
-fn without_mass(mechanism: &Mechanism, link: LinkId) -> Option<Notice> {
+fn without_mass(mechanism: &Mechanism, link: LinkId) -> Option<Warning> {
     let body = &mechanism.links[link];
     (body.mass == 0.0 && !is_pinned(mechanism, link) && body.inertia.constant() > 0.0).then(|| {
         let text = text!("scene-inertia-without-mass", link = shown(&body.name));
-        Notice::mistake(key(mechanism, link).at("inertia"), text)
+        Warning::mistake(key(mechanism, link).at("inertia"), text)
     })
 }
 
 /// A link whose moment of inertia is missing: others that turn have one. Of the input link it is often left out, since it does nothing
 /// at a constant speed; a link that is guided on the ground does not turn.
-fn without_inertia(mechanism: &Mechanism, link: LinkId, extents: &[f64]) -> Option<Notice> {
+fn without_inertia(mechanism: &Mechanism, link: LinkId, extents: &[f64]) -> Option<Warning> {
     let is_guided = |link: LinkId| {
         mechanism
             .slides
@@ -202,12 +202,12 @@ fn without_inertia(mechanism: &Mechanism, link: LinkId, extents: &[f64]) -> Opti
     let mut others = (0..extents.len()).filter(|other| *other != link && turns(*other)).peekable();
     (turns(link) && !has(link) && others.peek().is_some() && others.all(has)).then(|| {
         let text = text!("scene-mass-without-inertia", link = shown(&mechanism.links[link].name));
-        Notice::mistake(key(mechanism, link).at("mass"), text)
+        Warning::mistake(key(mechanism, link).at("mass"), text)
     })
 }
 
 /// A center of mass far outside of its link.
-fn center(mechanism: &Mechanism, link: LinkId, size: f64) -> Option<Notice> {
+fn center(mechanism: &Mechanism, link: LinkId, size: f64) -> Option<Warning> {
     let body = &mechanism.links[link];
     let places = mechanism.points.iter().flat_map(|point| &point.places).filter(|place| place.link == link);
     let away = places.map(|place| (place.at[0] - body.center[0]).hypot(place.at[1] - body.center[1]));
@@ -216,6 +216,6 @@ fn center(mechanism: &Mechanism, link: LinkId, size: f64) -> Option<Notice> {
     (body.mass > 0.0 && away.is_finite() && away > most * size).then(|| {
         let [away, size] = [away, size].map(|length| quantity(rounded(length), "m"));
         let text = text!("scene-far-center", link = shown(&body.name), distance = away, size = size);
-        Notice::mistake(key(mechanism, link).at("center"), text)
+        Warning::mistake(key(mechanism, link).at("center"), text)
     })
 }

@@ -10,7 +10,7 @@ fn twin(c: char) -> Option<&'static str> {
         '³' => "^3",
         '°' => " deg",
         'µ' | 'μ' => "u",
-        '−' | '–' | '—' => "-",
+        '−' | '–' | '—' | '\u{2011}' => "-",
         '≤' => "<=",
         '│' => "|",
         '…' => "...",
@@ -42,6 +42,7 @@ fn twin(c: char) -> Option<&'static str> {
         'Ї' => "Yi",
         'Є' => "Ye",
         'Ґ' => "G",
+        c if c.is_whitespace() => " ",
         _ => return None,
     })
 }

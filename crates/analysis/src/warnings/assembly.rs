@@ -1,8 +1,8 @@
-//! Notes on the assembly: where assembly modes meet or end, or positions become unbounded.
+//! Warnings about the assembly: where assembly modes meet or end, or positions become unbounded.
 
 use assur_group::{GroupError, Order};
 use assur_mechanism::{Motion, Range};
-use assur_words::{Describe, Text, joined, list, number, quantity, text};
+use assur_words::{Describe, Text, degrees, joined, list, millimeters, number, quantity, text};
 
 use super::Listed;
 use crate::Calculation;
@@ -17,7 +17,7 @@ const ILL: f64 = 1e3;
 
 impl Calculation {
     /// Groups that are nearly singular in a position and not interpolated there: two of their modes meet or begin next to it.
-    pub(crate) fn nearly_singular(&self, survey: &Survey) -> Vec<Text> {
+    pub(super) fn nearly_singular(&self, survey: &Survey) -> Vec<Text> {
         let linkage = &self.linkage;
         let mut found = linkage.position();
         let mut notes = Vec::new();
@@ -167,14 +167,12 @@ impl Calculation {
 
     /// A coordinate as shown to a reader.
     fn show(&self, coordinate: f64) -> Text {
-        if self.linkage.angular() {
-            // A place within rounding of a whole turn is 0.
-            let degrees = coordinate.rem_euclid(std::f64::consts::TAU).to_degrees();
-            let shown = if degrees > 359.999_95 { 0.0 } else { degrees };
-            quantity(format_args!("{shown:.4}"), "deg")
-        } else {
-            quantity(format_args!("{:.4}", coordinate * 1e3), "mm")
+        if !self.linkage.angular() {
+            return millimeters(coordinate, 4);
         }
+        // A place within rounding of a whole turn is 0.
+        let within = coordinate.rem_euclid(std::f64::consts::TAU);
+        degrees(if within.to_degrees() > 359.999_95 { 0.0 } else { within }, 4)
     }
 
     fn change_point(&self, coordinate: f64, groups: &[usize]) -> Text {

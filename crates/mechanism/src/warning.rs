@@ -1,4 +1,4 @@
-//! What is reported beside the results.
+//! What is told beside the results of a scene; what stops it is an error.
 
 use std::fmt;
 
@@ -7,64 +7,64 @@ use serde::{Serialize, Serializer, ser::SerializeStruct};
 
 use crate::Key;
 
-/// What a notice is about.
+/// What a warning is about.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
-pub enum NoticeKind {
+pub enum WarningKind {
     /// Something in the scene that is allowed, but probably not meant.
     Mistake,
     /// Something about the results that a reader should know.
     Remark,
 }
 
-/// A notice on a scene or on its results.
+/// A warning about a scene or its results.
 ///
 /// As JSON it has the identity of its text (`id`), its kind, the key of the scene that it concerns (`null` where it concerns
 /// none), and its text in English.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Notice {
+pub struct Warning {
     /// What it is about.
-    pub kind: NoticeKind,
+    pub kind: WarningKind,
     /// The key of the scene that it concerns.
     pub key: Option<Key>,
     /// What it says.
     pub text: Text,
 }
 
-impl Notice {
+impl Warning {
     /// Something that is probably not meant, at a key of the scene.
     pub fn mistake(key: impl Into<Option<Key>>, text: Text) -> Self {
-        Self { kind: NoticeKind::Mistake, key: key.into(), text }
+        Self { kind: WarningKind::Mistake, key: key.into(), text }
     }
 
     /// Whether something is probably not meant.
     pub fn is_mistake(&self) -> bool {
-        self.kind == NoticeKind::Mistake
+        self.kind == WarningKind::Mistake
     }
 }
 
-impl fmt::Display for Notice {
+impl fmt::Display for Warning {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.text.fmt(f)
     }
 }
 
-impl From<Text> for Notice {
+impl From<Text> for Warning {
     /// A remark on the results as a whole.
     fn from(text: Text) -> Self {
-        Self { kind: NoticeKind::Remark, key: None, text }
+        Self { kind: WarningKind::Remark, key: None, text }
     }
 }
 
-impl From<&Notice> for Text {
-    fn from(note: &Notice) -> Self {
-        note.text.clone()
+impl From<&Warning> for Text {
+    fn from(warning: &Warning) -> Self {
+        warning.text.clone()
     }
 }
 
-impl Serialize for Notice {
+impl Serialize for Warning {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut object = serializer.serialize_struct("Notice", 4)?;
+        let mut object = serializer.serialize_struct("Warning", 4)?;
         object.serialize_field("id", &self.text.identity())?;
         object.serialize_field("kind", &self.kind)?;
         object.serialize_field("key", &self.key)?;

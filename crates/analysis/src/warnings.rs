@@ -1,26 +1,41 @@
-//! Notes: what had to be left out, and which parts of a request have no use.
+//! Warnings: what in a scene is probably not meant, and what a reader of its results should know. Nothing is calculated here that
+//! results need.
 
 mod assembly;
-mod doubts;
 mod friction;
 mod loads;
+mod mistakes;
 
 use assur_dynamics::unknown_rotor;
 use assur_integrator::Knob;
-use assur_mechanism::{Mechanism, Motion, Notice, Range};
-use assur_words::{Describe, Text, joined, list, name, number, quantity, text};
+use assur_mechanism::{Mechanism, Motion, Range, Warning};
+use assur_words::{Describe, Text, coordinate, joined, list, name, number, quantity, text};
 
+use crate::positions::MOST_FAILURES;
+use crate::results::Survey;
+use crate::several::Several;
 use crate::trajectory::WithoutForces;
 use crate::{Calculation, InputMotion, Options};
 
+/// What the calculated positions and samples show, as far as warnings need it.
+pub(crate) struct Seen<'a> {
+    /// Positions at a change point, where reactions are not determined.
+    pub(crate) at_change_points: &'a Listed,
+    pub(crate) survey: &'a Survey,
+    pub(crate) several: &'a [Several],
+    pub(crate) without_forces: &'a WithoutForces,
+}
+
 impl Calculation {
-    /// Everything that is reported beside the results; `positions` at which forces are not determined, and `samples` of a motion without them.
-    pub(crate) fn notes(&self, positions: &Listed, samples: &WithoutForces) -> Vec<Notice> {
-        let remarks = self.remarks(positions, samples).into_iter().map(Notice::from);
-        self.doubts().into_iter().chain(remarks).collect()
+    /// All warnings in the order in which they are told: those of reading the scene, those that its motion gives, remarks on the results.
+    pub(crate) fn warnings(&self, seen: &Seen<'_>) -> Vec<Warning> {
+        let mut all = self.linkage.mechanism.warnings.clone();
+        all.extend(self.mistakes());
+        all.extend(self.remarks(seen).into_iter().map(Warning::from));
+        all
     }
 
-    fn remarks(&self, positions: &Listed, samples: &WithoutForces) -> Vec<Text> {
+    fn remarks(&self, seen: &Seen<'_>) -> Vec<Text> {
         let mut notes = self.unused.clone();
         notes.extend(self.change_points());
         notes.extend(self.tells_poles.then(|| self.poles()).flatten());
@@ -44,6 +59,7 @@ impl Calculation {
                 text!("analysis-open-reactions", option = name("--indeterminate least-norm"))
             });
         }
+        let (positions, samples) = (seen.at_change_points, seen.without_forces);
         if !positions.is_empty() {
             notes.push(text!("analysis-no-reactions", positions = positions.words()));
         }
@@ -52,6 +68,11 @@ impl Calculation {
         }
         if let Some(reason) = &samples.reason {
             notes.push(text!("analysis-no-forces", count = samples.refused, reason));
+        }
+        notes.extend(self.nearly_singular(seen.survey));
+        notes.extend(self.friction_of_pairs(seen.several));
+        if let Some(more) = seen.survey.failures.checked_sub(MOST_FAILURES).filter(|more| *more > 0) {
+            notes.push(text!("analysis-more-failures", more));
         }
         notes
     }
@@ -65,11 +86,7 @@ impl Calculation {
             return None;
         };
         let last = input.coordinate(input.positions.saturating_sub(1));
-        let place = |at: f64| {
-            let (factor, symbol) =
-                if self.linkage.angular() { (1_f64.to_degrees(), "deg") } else { (1e3, "mm") };
-            quantity(format_args!("{:.6}", factor * at), symbol)
-        };
+        let place = |at: f64| coordinate(at, self.linkage.angular(), 6);
         let other = name(if input.sign() > 0.0 { "cw" } else { "ccw" });
         (speed * (last - input.from) < 0.0).then(|| {
             text!("analysis-listed-backwards", from = place(input.from), to = place(to), direction = other)

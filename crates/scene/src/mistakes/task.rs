@@ -4,8 +4,8 @@ use std::f64::consts::TAU;
 
 use assur_formula::{Used, Variables};
 use assur_mechanism::{
-    InputPair, Key, Load, LoadKind, Mechanism, Motion, MotorChoice, Notice, Output, Over, Point, Range,
-    Solve, Surfaces, Torque, Value,
+    InputPair, Key, Load, LoadKind, Mechanism, Motion, MotorChoice, Output, Over, Point, Range, Solve,
+    Surfaces, Torque, Value, Warning,
 };
 use assur_words::{Text, quantity, text};
 
@@ -31,11 +31,11 @@ const MOST_TIMES_THE_MOTION: f64 = 100.0;
 const LONGEST_SPRING: f64 = 10.0;
 
 /// All of it; `size`: of the mechanism, m.
-pub(super) fn of(mechanism: &Mechanism, size: f64) -> Vec<Notice> {
-    let mut notices = Vec::new();
+pub(super) fn of(mechanism: &Mechanism, size: f64) -> Vec<Warning> {
+    let mut warnings = Vec::new();
     let mut doubt = |is: bool, key: &Key, text: &dyn Fn() -> Text| {
         if is {
-            notices.push(Notice::mistake(key.clone(), text()));
+            warnings.push(Warning::mistake(key.clone(), text()));
         }
     };
     if let Some([x, y]) = mechanism.gravity {
@@ -76,16 +76,16 @@ pub(super) fn of(mechanism: &Mechanism, size: f64) -> Vec<Notice> {
             doubt(true, &key, &|| text.clone());
         }
     }
-    notices.extend(of_input_and_drive(mechanism, &speed));
-    notices
+    warnings.extend(of_input_and_drive(mechanism, &speed));
+    warnings
 }
 
 /// What contradicts itself in the input, the motion and the drive; `speed`: its key and size.
-fn of_input_and_drive(mechanism: &Mechanism, speed: &(Key, f64)) -> Vec<Notice> {
-    let mut notices = Vec::new();
-    let mut doubt = |is: bool, key: &Key, text: Text| {
+fn of_input_and_drive(mechanism: &Mechanism, speed: &(Key, f64)) -> Vec<Warning> {
+    let mut warnings = Vec::new();
+    let mut doubt = |is: bool, key: &Key, text: &dyn Fn() -> Text| {
         if is {
-            notices.push(Notice::mistake(key.clone(), text));
+            warnings.push(Warning::mistake(key.clone(), text()));
         }
     };
     let turned_twice = mechanism.input.sign() < 0.0
@@ -118,7 +118,7 @@ fn of_input_and_drive(mechanism: &Mechanism, speed: &(Key, f64)) -> Vec<Notice> 
         let [ratio, needed] = [ratio, needed].map(rounded);
         doubt(true, &Key::of("drive").at("ratio"), text!("scene-odd-ratio", ratio = ratio, needed = needed));
     }
-    notices
+    warnings
 }
 
 /// A pin of the crank that stands at the angle `from` in the crank's own frame too: places in the ground's frame were given.

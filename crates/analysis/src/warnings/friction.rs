@@ -2,7 +2,7 @@
 
 use assur_force::{Cause, LoadState};
 use assur_group::Order;
-use assur_mechanism::{Contact, LoadId, Name, Notice};
+use assur_mechanism::{Contact, LoadId, Name};
 use assur_number::elementary;
 use assur_structure::name_of;
 use assur_words::{Text, number, text};
@@ -13,7 +13,7 @@ use crate::several::Several;
 
 impl Calculation {
     /// Pairs with friction that rest, always or in some positions, and positions with several solutions.
-    pub(crate) fn friction_notes(&self, several: &[Several]) -> Vec<Notice> {
+    pub(super) fn friction_of_pairs(&self, several: &[Several]) -> Vec<Text> {
         let Some(frictions) = self.loads.as_ref().and_then(|loads| loads.frictions()) else {
             return Vec::new();
         };
@@ -24,7 +24,7 @@ impl Calculation {
             let named = |link: usize| Text::from(&mechanism.links[link].name);
             let (pair, link, on) = (name_of(mechanism, bearing.pair), named(bearing.link), named(bearing.on));
             if bearing.rests() {
-                notes.push(text!("analysis-friction-rests", pair, link, on).into());
+                notes.push(text!("analysis-friction-rests", pair, link, on));
                 continue;
             }
             let turning = (0..input.positions)
@@ -32,13 +32,13 @@ impl Calculation {
             let turning: Listed = turning.collect();
             if !turning.is_empty() {
                 let positions = turning.words();
-                notes.push(text!("analysis-friction-turns", pair, link, on, positions).into());
+                notes.push(text!("analysis-friction-turns", pair, link, on, positions));
             }
         }
         let mut add = |said: fn(&Several) -> bool, note: fn(Text) -> Text| {
             let found: Listed = several.iter().filter(|one| said(one)).map(|one| one.index).collect();
             if !found.is_empty() {
-                notes.push(note(found.words()).into());
+                notes.push(note(found.words()));
             }
         };
         add(|one| one.solutions.len() > 1, |positions| text!("analysis-friction-several", positions));

@@ -6,9 +6,9 @@ use std::collections::BTreeMap;
 use assur_force::{Cause, LoadState, power};
 use assur_group::{Body, Order};
 use assur_kinematics::{Position, ScalarMotion};
-use assur_mechanism::{GROUND, Key, LoadId, Mechanism, Motion, Notice};
+use assur_mechanism::{GROUND, Key, LoadId, Mechanism, Motion, Warning};
 use assur_number::elementary;
-use assur_words::{Text, joined, name, quantity, text};
+use assur_words::{Text, joined, millimeters, name, quantity, text};
 
 use crate::{Calculation, InputMotion};
 
@@ -22,31 +22,31 @@ const MOST_POSITIONS: usize = 3600;
 const FEWEST_POSITIONS: usize = 3;
 
 impl Calculation {
-    /// Everything in the scene that is probably not meant: what was noticed when it was read, then what its motion shows.
-    pub fn doubts(&self) -> Vec<Notice> {
-        let mut notices = self.linkage.mechanism.notes.clone();
-        notices.extend(self.never_starts());
+    /// What the motion shows to be probably not meant in the scene, beside what reading it tells
+    /// ([`Mechanism::warnings`]).
+    pub fn mistakes(&self) -> Vec<Warning> {
+        let mut warnings: Vec<_> = self.never_starts().into_iter().collect();
         let mut first = self.linkage.position();
         if self.linkage.solve_index(0, Order::Place, &mut first).is_ok() {
-            notices.extend(self.groups_in_any_way(&first));
-            notices.extend(self.missed_places(&first));
+            warnings.extend(self.groups_in_any_way(&first));
+            warnings.extend(self.missed_places(&first));
         }
         if !self.plan.is_partial() && self.linkage.mechanism.input.positions <= MOST_POSITIONS {
-            notices.extend(self.without_motion());
+            warnings.extend(self.without_motion());
         }
-        notices
+        warnings
     }
 
     /// A transient motion that stays where it begins.
-    fn never_starts(&self) -> Option<Notice> {
+    fn never_starts(&self) -> Option<Warning> {
         let InputMotion::Transient(found) = &self.motion else { return None };
         let samples = &found.trajectory.samples;
         let stays = samples.iter().all(|sample| sample.speed == 0.0);
-        stays.then(|| Notice::mistake(Key::of("motion"), text!("analysis-never-starts")))
+        stays.then(|| Warning::mistake(Key::of("motion"), text!("analysis-never-starts")))
     }
 
     /// Groups with several ways of which no place in `[assembly]` chooses one.
-    fn groups_in_any_way(&self, first: &Position) -> Vec<Notice> {
+    fn groups_in_any_way(&self, first: &Position) -> Vec<Warning> {
         let (linkage, mechanism) = (&self.linkage, &self.linkage.mechanism);
         // A place adds to what the links before a group already determine.
         let is_placed_before = |group: usize, link: usize| {
@@ -60,7 +60,7 @@ impl Calculation {
                     && places.all(|link| !is_placed_before(group, link))
             })
         };
-        let mut notices = Vec::new();
+        let mut warnings = Vec::new();
         for (group, kernel) in
             linkage.groups().iter().enumerate().filter(|(group, _)| linkage.chain.is_needed(*group))
         {
@@ -86,14 +86,14 @@ impl Calculation {
                     taken = shown(*taken),
                     others = joined(", ", others.iter().map(|place| shown(*place)))
                 );
-                notices.push(Notice::mistake(Key::of("assembly"), text));
+                warnings.push(Warning::mistake(Key::of("assembly"), text));
             }
         }
-        notices
+        warnings
     }
 
     /// Places in `[assembly]` that the assembly taken misses by far.
-    fn missed_places(&self, first: &Position) -> Vec<Notice> {
+    fn missed_places(&self, first: &Position) -> Vec<Warning> {
         let mechanism = &self.linkage.mechanism;
         let places = mechanism.points.iter().flat_map(|point| &point.places);
         let size = diagonal(places.map(|place| first.bodies[place.link].point(place.at)));
@@ -112,16 +112,16 @@ impl Calculation {
                     point = Text::from(name),
                     wanted = shown(wanted),
                     found = shown(found),
-                    distance = quantity(format_args!("{:.4}", away * 1e3), "mm")
+                    distance = millimeters(away, 4)
                 );
-                Notice::mistake(Key::of("assembly").at(name), text)
+                Warning::mistake(Key::of("assembly").at(name), text)
             })
         });
         missed.collect()
     }
 
     /// Links and slides that never move, and loads that never do work, where the motion is that of the positions.
-    fn without_motion(&self) -> Vec<Notice> {
+    fn without_motion(&self) -> Vec<Warning> {
         let linkage = &self.linkage;
         let count = linkage.mechanism.input.positions;
         let mut seen = Seen::of(&linkage.mechanism, self.unit());
@@ -140,7 +140,7 @@ impl Calculation {
                 }
             }
         }
-        if count < FEWEST_POSITIONS { Vec::new() } else { seen.notices() }
+        if count < FEWEST_POSITIONS { Vec::new() } else { seen.warnings() }
     }
 
     fn see(&self, position: &Position, seen: &mut Seen<'_>) {
@@ -263,12 +263,12 @@ impl<'m> Seen<'m> {
         *works |= unknown || power.abs() > STILL * terms;
     }
 
-    fn notices(&self) -> Vec<Notice> {
+    fn warnings(&self) -> Vec<Warning> {
         let mechanism = self.mechanism;
-        let mut notices = Vec::new();
+        let mut warnings = Vec::new();
         for (link, _) in self.links.iter().enumerate().skip(GROUND + 1).filter(|(_, moves)| !**moves) {
             let name = &mechanism.links[link].name;
-            notices.push(Notice::mistake(
+            warnings.push(Warning::mistake(
                 Key::of("link").at(name),
                 text!("analysis-link-rests", link = Text::from(name)),
             ));
@@ -277,7 +277,7 @@ impl<'m> Seen<'m> {
             let slide = &mechanism.slides[index];
             if self.links[slide.link] || slide.on != GROUND {
                 let text = text!("analysis-slide-rests", slide = Text::from(&slide.name));
-                notices.push(Notice::mistake(Key::of("slide").at(index), text));
+                warnings.push(Warning::mistake(Key::of("slide").at(index), text));
             }
         }
         for (load, [acts, works]) in &self.loads {
@@ -290,12 +290,12 @@ impl<'m> Seen<'m> {
             let key = mechanism.key_of_load(*load);
             // A spring without stiffness was reported when the scene was read.
             let is_of =
-                |note: &Notice| note.key.as_ref().is_some_and(|of| of.steps().starts_with(key.steps()));
-            if !acts && mechanism.notes.iter().any(is_of) {
+                |note: &Warning| note.key.as_ref().is_some_and(|of| of.steps().starts_with(key.steps()));
+            if !acts && mechanism.warnings.iter().any(is_of) {
                 continue;
             }
-            notices.push(Notice::mistake(key, text));
+            warnings.push(Warning::mistake(key, text));
         }
-        notices
+        warnings
     }
 }
