@@ -6,6 +6,7 @@ use assur_integrator::{
     AUTO, EquationOfMotion, Event, EventKind, Piece, Request, Sample, Solution, State, Trajectory, Until,
     solve,
 };
+use assur_number::ROUNDING;
 use assur_number::quadrature::simpson;
 use assur_words::{Text, name, text};
 
@@ -20,9 +21,6 @@ const INTERVALS: [usize; 3] = [500, 4000, 32_000];
 const TOLERANCE: f64 = 1e-10;
 /// Steps that Simpson's rule is applied to, finely and coarsely.
 const STEPS: f64 = 4.0;
-/// Least part of the largest energy that a sum of energies can resolve.
-const ROUNDING: f64 = 1e-12;
-
 /// How many times greater than one that is measured a rounding may be.
 const ROUNDINGS: f64 = 4.0;
 

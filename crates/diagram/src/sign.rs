@@ -5,13 +5,12 @@ use assur_group::plane::{dot, perp};
 use assur_group::{Order, Wrench};
 use assur_kinematics::Linkage;
 use assur_mechanism::PairId;
+use assur_number::ROUNDING;
 use assur_number::search::{try_bisect, try_least};
 use serde::Serialize;
 
 use crate::DiagramError;
 
-/// A force below this part of the greatest is zero up to rounding, and has no side.
-const ROUNDING: f64 = 1e-12;
 /// The most positions that are examined for changes; of more positions only so many are taken.
 const MOST_POSITIONS: usize = 3600;
 /// Least number of coordinates over the range of the input at which the forces are computed, even with fewer positions

@@ -4,7 +4,7 @@ use assur_group::plane::vector;
 use assur_group::{Body, Wrench};
 use assur_kinematics::Linkage;
 use assur_mechanism::{Balance, InputPair, LinkId, Mechanism};
-use assur_number::{Real, elementary};
+use assur_number::{ROUNDING, Real, elementary};
 use assur_words::text;
 
 use crate::{ForceError, FrictionForces, Loads, power};
@@ -75,8 +75,6 @@ impl UnitBalance {
     ///
     /// [`IdleBalance`] where the load does no work in a lane.
     pub fn size<T: Real>(&self, others: T, unit: T, linkage: &Linkage) -> Result<T, IdleBalance> {
-        /// Below this part of a typical displacement a transfer function is rounding.
-        const LEAST_SHARE: f64 = 1e-12;
         let scale = linkage.structure.scale;
         let typical = match (self.load, linkage.mechanism.input.pair) {
             (UnitLoad::Force { .. }, InputPair::Pin(_)) => scale,
@@ -84,7 +82,7 @@ impl UnitBalance {
             (UnitLoad::Moment, InputPair::Slide(_)) => 1.0 / scale,
         };
         let share = unit.abs().least() / typical;
-        if share > LEAST_SHARE { Ok(-others / unit) } else { Err(IdleBalance { unit: *self, share }) }
+        if share > ROUNDING { Ok(-others / unit) } else { Err(IdleBalance { unit: *self, share }) }
     }
 }
 

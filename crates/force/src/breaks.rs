@@ -1,5 +1,7 @@
 //! The intervals of the coordinate between the places where a formula changes, repeated with the cycle or not.
 
+use assur_number::ROUNDING;
+
 /// Sorted places where a formula changes.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct Breaks {
@@ -19,9 +21,6 @@ pub(crate) struct Interval {
     /// Sum of the whole cycles: coordinate - shift is in the cycle of the points.
     pub(crate) shift: f64,
 }
-
-/// Differences of the coordinate below this part of it (or of the cycle) are rounding.
-const ROUNDING: f64 = 1e-12;
 
 /// Distance up to which a coordinate (or a time) counts as lying on a place where a formula changes: rounding.
 /// `period`: length of a cycle of the coordinate, if it has one.

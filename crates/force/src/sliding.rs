@@ -3,14 +3,11 @@
 use assur_group::Body;
 use assur_group::plane::dot;
 use assur_kinematics::PositionError;
-use assur_number::elementary;
 use assur_number::search::{bisect, try_newton_root};
+use assur_number::{ROUNDING, elementary};
 
 use crate::breaks::{Breaks, Interval};
 use crate::grid::Span;
-
-/// PF1 of the sliding below this part of its greatest size is rounding.
-const STILL: f64 = 1e-12;
 
 /// PF1 of the sliding above this part of its greatest size is so far from zero that its own sign is that of the interval.
 const CLEAR: f64 = 1e-6;
@@ -55,7 +52,7 @@ impl Sliding {
         let greatest =
             rates.iter().filter_map(|(_, rate)| *rate).fold(0.0, |most: f64, rate| most.max(rate.size));
         let gaps = to_the_limits(&mut rates, rate);
-        let sign = |first: f64| if first.abs() <= STILL * greatest { 0.0 } else { first.signum() };
+        let sign = |first: f64| if first.abs() <= ROUNDING * greatest { 0.0 } else { first.signum() };
         // Beyond a gap the sliding may have another sense.
         let mut turns = gaps;
         for cell in rates.windows(2) {

@@ -4,8 +4,8 @@
 use assur_group::Body;
 use assur_kinematics::PositionError;
 use assur_mechanism::LawTable;
-use assur_number::elementary;
 use assur_number::search::{bisect, try_newton_root};
+use assur_number::{ROUNDING, elementary};
 
 use crate::LoadFault;
 use crate::breaks::Breaks;
@@ -60,7 +60,7 @@ impl Travel {
             (least, greatest) = (least.min(place), greatest.max(place));
         }
         let travel = greatest - least;
-        if travel <= STANDING * along.scale {
+        if travel <= ROUNDING * along.scale {
             return Err(LoadFault::NoStroke(travel));
         }
         Ok(Self { axis: along.axis, least, inverse: 1.0 / travel })
@@ -95,9 +95,6 @@ pub(crate) struct Segment {
 
 /// A point that is this many sizes of the mechanism away runs through infinity.
 const GREATEST_DISTANCE: f64 = 1e9;
-
-/// A displacement below this, as part of the size of the mechanism, is rounding.
-const STANDING: f64 = 1e-12;
 
 /// Coordinate of the point along the axis and its two derivatives with respect to the input coordinate.
 struct Along<'a, 'b> {
@@ -141,7 +138,7 @@ impl Along<'_, '_> {
     /// and came back from the other side.
     fn runs_back(&self, before: [f64; 3], after: [f64; 3]) -> bool {
         let displacement = after[0] - before[0];
-        displacement * before[1] < 0.0 && displacement.abs() > STANDING * self.scale
+        displacement * before[1] < 0.0 && displacement.abs() > ROUNDING * self.scale
     }
 
     /// Where the point is at infinity in a cell in which it [runs back](Self::runs_back).

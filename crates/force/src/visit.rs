@@ -4,6 +4,7 @@ use assur_group::Body;
 use assur_group::plane::{dot, minus, opposite, plus, scaled, vector};
 
 use assur_mechanism::Spring;
+use assur_number::ROUNDING;
 
 use crate::LoadNumber;
 use crate::choice::{Choice, Formulas};
@@ -39,9 +40,7 @@ impl Loads {
     /// By which derivative a point moves, from the lengths of its PF1 and PF2: 0, or 1 where it turns; `None` where it stays at rest.
     #[inline(always)]
     fn moving(&self, [first, second]: [f64; 2]) -> Option<usize> {
-        /// A rest within this distance of the coordinate is at the coordinate: the difference is rounding.
-        const AT_REST: f64 = 1e-12;
-        if first > self.standing.max(AT_REST * second) {
+        if first > self.standing.max(ROUNDING * second) {
             return Some(0);
         }
         (second > self.standing).then_some(1)

@@ -1,8 +1,6 @@
 //! The equations in magnitudes, and what is found of them by iteration, and along a path: how a solution changes as friction grows.
 
-use assur_number::elementary;
-
-use assur_number::components;
+use assur_number::{ROUNDING, components, elementary};
 
 use crate::matrix::spectral_radius;
 
@@ -66,7 +64,7 @@ impl Moduli {
         let n = self.count();
         let lengths = self.lengths();
         let most = |k: usize| lengths.iter().fold(1.0, |most: f64, row| most.max(row[k]));
-        let limits: Vec<f64> = (0..n).map(|k| NOTHING * most(k)).collect();
+        let limits: Vec<f64> = (0..n).map(|k| ROUNDING * most(k)).collect();
         let needs: Vec<Vec<usize>> =
             lengths.iter().map(|row| (0..n).filter(|k| row[*k] > limits[*k]).collect()).collect();
         components(&needs, |_| 0)
@@ -88,9 +86,6 @@ impl Moduli {
 pub(crate) fn length([x, y]: [f64; 2]) -> f64 {
     if y == 0.0 { x.abs() } else { elementary::hypot(x, y) }
 }
-
-/// A slope below this part of the greatest that its unknown has, and of 1, is rounding of the linear equations that gave it.
-const NOTHING: f64 = 1e-12;
 
 /// Shortest step along a path, as part of all friction: where it does not suffice the path ends.
 const SHORTEST: f64 = 1e-9;

@@ -5,6 +5,7 @@
 //! there (Stetter 2004, section 2). Coordinates are turned first, so that no point is at infinity.
 
 use assur_number::elementary;
+use assur_number::elimination::{factor, substitute};
 use nalgebra::{DMatrix, DVector};
 
 #[derive(Debug, Clone)]
@@ -247,12 +248,15 @@ fn independent_rows(matrix: &DMatrix<f64>, among: &[usize], count: usize) -> Opt
 fn near_eigenvectors(matrix: &DMatrix<f64>, value: f64, greatest: f64) -> Vec<DVector<f64>> {
     let n = matrix.nrows();
     let shifted = matrix - DMatrix::identity(n, n) * (value + 1e-11 * greatest);
-    let lu = shifted.lu();
+    // Stored by columns.
+    let (mut factors, mut order) = (shifted.transpose(), vec![0; n]);
+    factor(factors.as_mut_slice(), &mut order);
     let starts = [[0.9, 0.31], [-0.53, 0.77]];
     let of = |[a, b]: [f64; 2]| {
         let mut vector = DVector::from_fn(n, |i, _| a + b * elementary::sin(1.3 * i as f64 + a));
         for _ in 0..4 {
-            vector = lu.solve(&vector)?;
+            let right = vector.clone();
+            substitute(factors.as_slice(), &order, right.as_slice(), vector.as_mut_slice());
             let size = vector.norm();
             if !(size.is_finite() && size > 0.0) {
                 return None;

@@ -1,5 +1,7 @@
 //! The textbook iteration and Newton's method on equations in magnitudes, in memory that their steps share.
 
+use assur_number::elimination::factor;
+
 use crate::Moduli;
 use crate::matrix::{is_contraction, solve};
 use crate::moduli::length;
@@ -198,8 +200,11 @@ impl<'a> Steps<'a> {
     pub(crate) fn is_ahead(&mut self, z: &[f64], part: &[usize]) -> bool {
         self.look(z);
         self.derive();
-        let entry = |i: usize, j: usize| self.matrix[part[i] * z.len() + part[j]];
-        nalgebra::DMatrix::from_fn(part.len(), part.len(), entry).determinant() > 0.0
+        let row = |i: usize| part.iter().map(move |j| i * z.len() + j);
+        let mut matrix: Vec<f64> =
+            part.iter().copied().flat_map(row).map(|entry| self.matrix[entry]).collect();
+        let found = factor(&mut matrix, &mut vec![0; part.len()]);
+        part.is_empty() || found.is_positive && found.health > 0.0
     }
 
     /// Writes the correction of Newton's method at the magnitudes that were looked at last; `None` where the derivative is singular.

@@ -4,7 +4,7 @@ use assur_group::Body;
 use assur_group::plane::{cross, minus, mirrored, perp, plus, scaled, times};
 use assur_kinematics::{Linkage, PointMotion, Position};
 use assur_mechanism::{LinkId, Named};
-use assur_number::elementary;
+use assur_number::{ROUNDING, elementary};
 use serde::Serialize;
 
 use crate::rigid::{RigidParts, modulus};
@@ -99,12 +99,9 @@ impl Curvature {
     }
 }
 
-/// A relative rotation below this part of the relative motion, over a typical length, counts as zero.
-const STILL: f64 = 1e-12;
-
 /// A relative PF1 below this part of a typical length is rounding: that of the places, which a turn by 1 rad moves by
 /// about a typical length.
-const ROUNDING: f64 = 16.0 * f64::EPSILON;
+const LAST_PLACES: f64 = 16.0 * f64::EPSILON;
 
 /// Where an instant center is.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -159,12 +156,12 @@ pub(crate) fn center(one: &Body<f64>, two: &Body<f64>, scale: f64) -> CenterAt {
     let slip = minus([one.x1, one.y1], other);
     let turn = one.w1 - two.w1;
     let motion = modulus([one.x1, one.y1]) + modulus(other) + scale * (one.w1.abs() + two.w1.abs());
-    if turn.abs() * scale > STILL * motion {
+    if turn.abs() * scale > ROUNDING * motion {
         // slip + turn x (P - origin) = 0
         return CenterAt::Point(plus(origin, scaled(1.0 / turn, perp(slip))));
     }
     let size = modulus(slip);
-    if size > (STILL * motion).max(ROUNDING * scale) {
+    if size > (ROUNDING * motion).max(LAST_PLACES * scale) {
         return CenterAt::Direction(scaled(1.0 / size, perp(slip)));
     }
     CenterAt::Everywhere

@@ -9,17 +9,17 @@ use assur_number::Real;
 
 use crate::plane::minus;
 use crate::solver::{Solver, arms, rows};
-use crate::{Body, GroupError, GroupFrame, LEAST_HEALTH, Order, Pair, Wrench};
+use crate::{Body, GroupError, GroupFrame, Order, Pair, Wrench};
 
 /// Calls a function with the solver for the number of links as its first type.
 macro_rules! sized {
     ($frame:expr, $call:ident ( $($arg:expr),* ), $unfit:expr) => {
         match $crate::general::links_that_fit($frame) {
-            Some(1 | 2) => $call::<T, $crate::solver::Lu<T, 6>>($($arg),*),
-            Some(3 | 4) => $call::<T, $crate::solver::Lu<T, 12>>($($arg),*),
-            Some(5 | 6) => $call::<T, $crate::solver::Lu<T, 18>>($($arg),*),
-            Some(7 | 8) => $call::<T, $crate::solver::Lu<T, 24>>($($arg),*),
-            Some(_) => $call::<T, $crate::sparse::SparseLu<T>>($($arg),*),
+            Some(1 | 2) => $call::<T, assur_number::elimination::Lu<T, 6>>($($arg),*),
+            Some(3 | 4) => $call::<T, assur_number::elimination::Lu<T, 12>>($($arg),*),
+            Some(5 | 6) => $call::<T, assur_number::elimination::Lu<T, 18>>($($arg),*),
+            Some(7 | 8) => $call::<T, assur_number::elimination::Lu<T, 24>>($($arg),*),
+            Some(_) => $call::<T, assur_number::elimination::SparseLu<T>>($($arg),*),
             None => $unfit,
         }
     };
@@ -129,9 +129,7 @@ pub(crate) fn derive_by<T: Real, S: Solver<T>>(
     bodies: &mut [Body<T>],
     order: Order,
 ) -> Result<(), GroupError> {
-    if lu.health().is_nan() || lu.health() < LEAST_HEALTH {
-        return Err(GroupError::Singular { health: lu.health() });
-    }
+    lu.determined()?;
     let scale = T::from_f64(frame.scale);
     // Both orders use the same J, which is factored once.
     let mut right = S::zeros(frame);
@@ -164,7 +162,7 @@ fn finite<T: Real>(solution: &[T]) -> Result<(), GroupError> {
 /// does not apply.
 pub fn health_generally<T: Real>(frame: &GroupFrame, bodies: &[Body<T>]) -> f64 {
     fn sized<T: Real, S: Solver<T>>(frame: &GroupFrame, bodies: &[Body<T>]) -> f64 {
-        S::factor(frame, bodies, false).health()
+        S::factor(frame, bodies, false).factored().health
     }
     sized!(frame, sized(frame, bodies), 0.0)
 }
@@ -203,9 +201,7 @@ fn reactions_sized<T: Real, S: Solver<T>>(
     sets: usize,
 ) -> Result<(), GroupError> {
     let lu = S::factor(frame, bodies, true);
-    if lu.health().is_nan() || lu.health() < LEAST_HEALTH {
-        return Err(GroupError::Singular { health: lu.health() });
-    }
+    lu.determined()?;
     let [loaded, pairs] = [loads.len(), reactions.len()].map(|all| (all / sets.max(1)).max(1));
     for (loads, reactions) in loads.chunks_exact_mut(loaded).zip(reactions.chunks_exact_mut(pairs)) {
         balance(frame, bodies, &lu, loads, reactions);

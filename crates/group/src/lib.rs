@@ -25,7 +25,6 @@ mod pattern;
 pub mod plane;
 mod registry;
 mod solver;
-mod sparse;
 
 assur_words::resources!();
 

@@ -3,14 +3,15 @@
 //! A mode keeps the sign of its determinant until it meets another one, whose sign is the opposite. So a pose near the
 //! wanted one and this sign determine a mode, also close to the place where two of them meet.
 
+use assur_number::elimination::Factored;
 use assur_number::{Real, elementary};
 
 use crate::general::{derive_by, quadratic, reactions_under_generally, sized, unfit};
 use crate::plane::{direction, minus, times, vector};
 use crate::solver::{Solver, entries, guide};
 use crate::{
-    AssurGroup, Body, BuildError, GroupError, GroupFrame, GroupKind, LEAST_HEALTH, Number, Order, Pair,
-    PairGeometry, Wrench,
+    AssurGroup, Body, BuildError, GroupError, GroupFrame, GroupKind, Number, Order, Pair, PairGeometry,
+    Wrench,
 };
 
 /// Kernel of any kind without closed forms: places by Newton's method, derivatives and reactions by the general solution.
@@ -84,7 +85,7 @@ pub fn place_by_newton<T: Real>(frame: &GroupFrame, bodies: &mut [Body<T>]) -> R
 }
 
 fn newton_health<T: Real, S: Solver<T>>(frame: &GroupFrame, bodies: &mut [Body<T>]) -> Result<T, GroupError> {
-    newton_sized::<T, S>(frame, bodies).map(|lu| T::from_f64(lu.health()))
+    newton_sized::<T, S>(frame, bodies).map(|lu| T::from_f64(lu.factored().health))
 }
 
 /// Places a group in the mode near the poses on entry whose determinant has the sign asked for, and differentiates its motion.
@@ -98,7 +99,7 @@ fn solve_signed<T: Real, S: Solver<T>>(
     if order > Order::Place {
         derive_by(&found, frame, bodies, order)?;
     }
-    Ok(T::from_f64(found.health()))
+    Ok(T::from_f64(found.factored().health))
 }
 
 /// Places a group in the mode near the poses on entry whose determinant has the sign asked for; its factored J.
@@ -108,12 +109,13 @@ fn place_signed<T: Real, S: Solver<T>>(
     is_positive: bool,
 ) -> Result<S, GroupError> {
     let found = newton_sized::<T, S>(frame, bodies)?;
-    if found.is_positive() == is_positive || found.health() < (256.0 * T::EPSILON).sqrt() {
+    let Factored { health, is_positive: is_found_positive } = found.factored();
+    if is_found_positive == is_positive || health < (256.0 * T::EPSILON).sqrt() {
         return Ok(found);
     }
     to_partner(frame, bodies, &found);
     let other = newton_sized::<T, S>(frame, bodies)?;
-    if other.is_positive() == is_positive {
+    if other.factored().is_positive == is_positive {
         return Ok(other);
     }
     Err(GroupError::NoAssembly { gap_m: 0.0 })
@@ -212,9 +214,7 @@ fn newton_sized<T: Real, S: Solver<T>>(frame: &GroupFrame, bodies: &mut [Body<T>
     let mut before = f64::INFINITY;
     for _ in 0..MOST_STEPS {
         let lu = S::factor(frame, bodies, false);
-        if lu.health().is_nan() || lu.health() < LEAST_HEALTH {
-            return Err(GroupError::Singular { health: lu.health() });
-        }
+        lu.determined()?;
         // Converged when a further step does not reduce the residual: the rest is rounding.
         if size <= 64.0 * T::EPSILON && size >= before.min(4.0 * T::EPSILON) || size == 0.0 {
             return Ok(lu);

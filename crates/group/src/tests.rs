@@ -2,11 +2,11 @@ use proptest::prelude::*;
 
 use crate::PairSort::{Any, Pin, Slide};
 use crate::plane::{cross, direction, dot, minus, mirrored, perp, times};
-use crate::solver::{Lu, Solver as _};
 use crate::{
     Body, GroupError, GroupFrame, Order, Pair, PairGeometry, Pattern, PinJoint, RegistryError, SeenPair,
     SlideJoint, Wrench, derive_generally, groups, health_generally, place_by_newton, reactions_generally,
 };
+use assur_number::elimination::Lu;
 
 fn pin(id: usize, a: usize, b: usize, at_a: [f64; 2], at_b: [f64; 2]) -> Pair {
     Pair { id, a, b, geometry: PairGeometry::Pin { at_a, at_b } }
@@ -270,7 +270,7 @@ proptest! {
         }
         let right = matrix.map(|row| row.iter().zip(x).map(|(a, x)| a * x).sum());
         let lu = Lu::new(matrix);
-        prop_assume!(lu.health > 1e-3);
+        prop_assume!(lu.factored.health > 1e-3);
         for (found, known) in lu.solve(&right).into_iter().zip(x) {
             prop_assert!((found - known).abs() < 1e-10);
         }

@@ -1,6 +1,7 @@
 //! A solution in progress: what every method keeps from piece to piece, up to the end, as segments that follow each other in time;
 //! and the equally spaced samples of it.
 
+use assur_number::ROUNDING;
 use assur_words::{Text, text};
 
 use crate::{
@@ -122,15 +123,13 @@ impl<'a, C: Curve> Run<'a, C> {
     /// [`IntegrationError::NotReached`] where the motion oscillates between two turning points, and does not end in
     /// time.
     pub fn reversal(&mut self, state: State, before: f64) -> Result<(), IntegrationError> {
-        /// Least part of the amplitude by which successive turning points must differ.
-        const RESOLUTION: f64 = 1e-12;
         self.event_at(state, EventKind::Reversal);
         let side = usize::from(before > 0.0);
         let last = self.turned_at[side].replace(state.coordinate);
         let endless = matches!(self.request.until, Until::Coordinate(_) | Until::Rest);
         let (Some(last), Some(other)) = (last, self.turned_at[1 - side]) else { return Ok(()) };
         let swing = (state.coordinate - other).abs();
-        let same = (state.coordinate - last).abs() <= RESOLUTION.max(self.request.tolerance) * swing;
+        let same = (state.coordinate - last).abs() <= ROUNDING.max(self.request.tolerance) * swing;
         if endless && same && !self.equation.depends_on_time() {
             // An oscillation smaller than the errors of the motion doesn't count.
             let way = (state.coordinate - self.request.initial.coordinate).abs();

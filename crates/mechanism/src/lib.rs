@@ -255,10 +255,10 @@ impl Input {
     /// Whether the input is where it was after a cycle, so that the motion of the links repeats with it: after whole turns. Of another
     /// cycle only what is given over the coordinate repeats.
     pub fn turns_wholly(&self) -> bool {
-        /// Rounding of an angle that was given in another unit, turns.
-        const ROUNDING: f64 = 1e-12;
         let turns = self.period().filter(|_| self.is_angle()).map(|period| period / std::f64::consts::TAU);
-        turns.is_some_and(|turns| turns > 0.5 && (turns - turns.round()).abs() <= ROUNDING * turns)
+        turns.is_some_and(|turns| {
+            turns > 0.5 && (turns - turns.round()).abs() <= assur_number::ROUNDING * turns
+        })
     }
 
     /// Length of one cycle of the mechanism: the cycle of the scene, or one turn (rad) for a range of a pinned input;

@@ -1,11 +1,8 @@
 //! The one condition that ties numbers of a mechanism together.
 
-use assur_number::elementary;
+use assur_number::{ROUNDING, elementary};
 
 use crate::{GROUND, LinkId, Point, Slide};
-
-/// Pins nearer than this, relative to the greatest coordinate of the mechanism, coincide.
-const SAME_PLACE: f64 = 1e-12;
 
 /// The links without a slide whose pins, two or more, all coincide: such a link turns freely about them, so its angle
 /// is not determined.
@@ -20,8 +17,7 @@ pub fn links_of_length_zero(links: usize, points: &[Point], slides: &[Slide]) ->
             *first = place.at;
         }
         *count += 1;
-        *together &=
-            elementary::hypot(place.at[0] - first[0], place.at[1] - first[1]) <= SAME_PLACE * greatest;
+        *together &= elementary::hypot(place.at[0] - first[0], place.at[1] - first[1]) <= ROUNDING * greatest;
     }
     let slides_on = |link: LinkId| slides.iter().any(|slide| slide.link == link || slide.on == link);
     let zero = |link: &LinkId| {

@@ -1,12 +1,12 @@
 //! The counterweights that make the shaking force least, in the mean square or at its greatest.
 
 use assur_kinematics::PositionError;
-use assur_number::elementary;
+use assur_number::{ROUNDING, elementary};
 use nalgebra::{DMatrix, DVector};
 
 use crate::cone::LinearForce;
 use crate::cone::least_maximum;
-use crate::course::{ROUNDING, ShakingCourse};
+use crate::course::ShakingCourse;
 use crate::data::Proof;
 use crate::samples::Sample;
 

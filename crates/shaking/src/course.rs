@@ -2,7 +2,7 @@
 //! them.
 
 use assur_kinematics::PositionError;
-use assur_number::{elementary, search};
+use assur_number::{ROUNDING, elementary, search};
 
 use crate::samples::{Sample, Sampler};
 
@@ -16,10 +16,6 @@ const HALVINGS: u32 = 12;
 /// Golden sections of the search between samples: they reduce an interval to 4e-6 of its width, and what a smooth top loses
 /// by the square of that, to less than rounding.
 const SECTIONS: usize = 26;
-
-/// Rounding of a sum of inertia loads, in parts of the sum of their magnitudes: a thousand times that of its terms, since the
-/// accelerations of groups near singular positions are less accurate.
-pub(crate) const ROUNDING: f64 = 1e-12;
 
 /// A quantity whose values differ by less than this part of the greatest is constant: its tops are rounding.
 const CONSTANT: f64 = ROUNDING;

@@ -4,15 +4,12 @@ use assur_force::{Acting, Construction, ConstructionStep, Drawing, VectorKind};
 use assur_group::plane::{cross, dot, minus, opposite, perp, plus, scaled};
 use assur_group::{Body, Wrench};
 use assur_kinematics::Linkage;
-use assur_number::elementary;
+use assur_number::{ROUNDING, elementary};
 use assur_words::{Text, joined, name, number, quantity, text};
 
 use crate::layout::{End, Layout};
 use crate::layout::{Setting, Unknowns};
 use crate::layout::{at_a, at_b};
-
-/// Sines below this count as parallel in the drawing.
-const PARALLEL: f64 = 1e-12;
 
 /// What the drawing needs besides [`Setting`] and [`Unknowns`].
 #[derive(Debug)]
@@ -78,7 +75,7 @@ impl Pole {
     }
 
     fn place(self, at: &Setting) -> Option<[f64; 2]> {
-        (self.weight.abs() > PARALLEL).then(|| plus(at.o, scaled(1.0 / self.weight, self.xy)))
+        (self.weight.abs() > ROUNDING).then(|| plus(at.o, scaled(1.0 / self.weight, self.xy)))
     }
 
     /// Direction from a point to the pole; finite for a pole at infinity too.

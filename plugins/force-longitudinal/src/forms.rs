@@ -9,16 +9,12 @@ use assur_force::ForceError;
 use assur_group::LEAST_HEALTH;
 use assur_group::plane::{cross, dot, minus, opposite, perp, plus, scaled};
 use assur_kinematics::Linkage;
-use assur_number::elementary;
+use assur_number::{ROUNDING, elementary};
 use assur_words::{Text, text};
 
 use crate::layout::{End, Layout};
 use crate::layout::{Setting, Unknowns};
 use crate::{Longitudinal, singular};
-
-/// |cos f1| at or below this counts as zero: a pole this many crank lengths away leaves four significant digits at
-/// most.
-const PARALLEL: f64 = 1e-12;
 
 /// Why the equations have no solution.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -38,7 +34,7 @@ pub(crate) fn published(at: &Setting) -> Result<Unknowns, Failure> {
     let (x, y) = (at.line, perp(at.line));
     let (along, r1) = at.crank();
     let (sin, cos) = (dot(along, x), -dot(along, y));
-    if cos.abs() <= PARALLEL {
+    if cos.abs() <= ROUNDING {
         return Err(Failure::Parallel(elementary::asin(cos.abs())));
     }
     let action = at.action();

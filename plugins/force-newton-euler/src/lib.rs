@@ -7,8 +7,8 @@
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
-mod elimination;
 mod friction;
+mod least_norm;
 mod system;
 
 use assur_force::{AnalyzerPlugin, ForceAnalyzer, ForceError, Reactions, joints};

@@ -2,14 +2,12 @@
 
 use std::collections::VecDeque;
 
-use assur_group::{Body, Wrench};
+use assur_group::{Body, LEAST_HEALTH, Wrench};
 use assur_mechanism::{Balance, GROUND, InputPair, LinkId, Mechanism, PairId, PointId, SlideId};
 use assur_number::elementary;
+use assur_number::elimination::SparseLu;
 
-use crate::elimination::{LeastNorm, SparseRow, eliminated, of_least_norm};
-
-/// Below this ratio of least to greatest pivot the matrix is singular: rounding alone gives some 1e-16.
-const LEAST_HEALTH: f64 = 1e-15;
+use crate::least_norm::{LeastNorm, SparseRow, of_least_norm};
 
 /// An unknown; each has two columns, the balancing load the last one.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -20,8 +18,8 @@ enum Unknown {
     Slide(SlideId),
 }
 
-/// Room for the entries of an equation before it is solved: a link of three pins has seven with the right side.
-const ENTRIES: usize = 8;
+/// Room for the entries of an equation before it is solved: a link of three pins has six, the input one more.
+const ENTRIES: usize = 7;
 
 /// An arm from the origin of a link, a force there, and a moment.
 type Load = ([f64; 2], [f64; 2], f64);
@@ -90,8 +88,10 @@ impl<'a> System<'a> {
         shifts: &[f64],
     ) -> Result<Solution, f64> {
         let (rows, columns) = self.size();
+        let rights: Vec<f64> =
+            loads.iter().skip(1).flat_map(|load| [-load.fx, -load.fy, -load.m / self.scale]).collect();
         if rows < columns {
-            let found = of_least_norm(&self.equations(bodies, loads, shifts), columns);
+            let found = of_least_norm(&self.equations(bodies, shifts), &rights, columns);
             if found.health.is_nan() || found.health < LEAST_HEALTH {
                 return Err(found.health);
             }
@@ -101,11 +101,12 @@ impl<'a> System<'a> {
         if rows != columns {
             return Err(0.0);
         }
-        let (solved, health) = eliminated(self.equations(bodies, loads, shifts));
+        let lu = SparseLu::new(self.equations(bodies, shifts));
+        let health = lu.factored.health;
         if health.is_nan() || health < LEAST_HEALTH {
             return Err(health);
         }
-        Ok(Solution { health, ..self.read(solved, bodies) })
+        Ok(Solution { health, ..self.read(lu.solve(&rights), bodies) })
     }
 
     /// Which reactions the equations leave open, in the order of the joints: of each pin by link, of each slide by link and then of
@@ -130,16 +131,14 @@ impl<'a> System<'a> {
         all
     }
 
-    /// The equations of all moving links, three of each.
-    fn equations(&self, bodies: &[Body<f64>], loads: &[Wrench<f64>], shifts: &[f64]) -> Vec<SparseRow> {
+    /// The left sides of the equations of all moving links, three of each.
+    fn equations(&self, bodies: &[Body<f64>], shifts: &[f64]) -> Vec<SparseRow> {
         let (rows, columns) = self.size();
         let mut equations: Vec<SparseRow> = (0..rows).map(|_| SparseRow::with_capacity(ENTRIES)).collect();
         for (k, unknown) in self.unknowns.iter().enumerate() {
             self.fill(&mut equations, [2 * k, 2 * k + 1], *unknown, bodies, shifts);
         }
         self.fill_balance(&mut equations, columns - 1, bodies);
-        let right_sides = loads.iter().skip(1).flat_map(|load| [-load.fx, -load.fy, -load.m / self.scale]);
-        equations.iter_mut().zip(right_sides).for_each(|(row, right)| row.push((columns, right)));
         equations
     }
 

@@ -1,10 +1,12 @@
 //! The kernel of both classes: places, derivatives and reactions from the lines of the legs.
 
+use std::any::TypeId;
+
 use assur_group::plane::{minus, vector};
 use assur_group::{
     AssurGroup, Body, BuildError, Forces, GroupError, GroupFrame, Mode, Order, Reading, SeenPair, Wrench,
 };
-use assur_number::{Real, elementary};
+use assur_number::{Lanes, Real, elementary};
 
 use crate::leg::{Leg, Line};
 use crate::matrix::{Inverse, Matrix};
@@ -104,10 +106,11 @@ impl<T: Real> Legged<T> {
         Lines { each: lines, plate, base, matrix }
     }
 
-    /// [`Self::lines`] where one position is solved alone, compiled once for all its callers.
+    /// [`Self::lines`] with their determinant where one position is solved alone, compiled once for all its callers.
     #[inline(never)]
-    pub(crate) fn lone_lines(&self, bodies: &[Body<T>]) -> Lines<T> {
-        self.lines(bodies)
+    pub(crate) fn lone_lines(&self, bodies: &[Body<T>]) -> (Lines<T>, T) {
+        let lines = self.lines(bodies);
+        (lines, self.measure(&lines))
     }
 
     /// What a line of action does on all freedoms: on the plate, with the opposite on the base.
@@ -181,13 +184,39 @@ impl<T: Real> Legged<T> {
         (lines, health): (&Lines<T>, T),
         order: Order,
     ) -> Result<T, GroupError> {
-        self.finish(bodies);
-        self.numbers(bodies, [T::ZERO; 3], |leg| leg.x + leg.y)?;
-        if order > Order::Place {
-            let inverse = self.determined(lines)?;
-            self.differentiate(bodies, lines, (&inverse, order))?;
-        }
+        self.put_legs(bodies)?;
+        self.differentiate(bodies, lines, order)?;
         Ok(health.abs())
+    }
+
+    /// [`Self::complete`] where one position is solved alone.
+    pub(crate) fn lone_complete(
+        &self,
+        bodies: &mut [Body<T>],
+        (lines, health): (&Lines<T>, T),
+        order: Order,
+    ) -> Result<T, GroupError> {
+        self.put_legs(bodies)?;
+        self.lone_differentiate(bodies, lines, order)?;
+        Ok(health.abs())
+    }
+
+    /// Places the legs; an error where a place is no number.
+    #[inline(always)]
+    fn put_legs(&self, bodies: &mut [Body<T>]) -> Result<(), GroupError> {
+        self.finish(bodies);
+        self.numbers(bodies, [T::ZERO; 3], |leg| leg.x + leg.y)
+    }
+
+    /// [`Self::differentiate`] where one position is solved alone, compiled once for all its callers.
+    #[inline(never)]
+    fn lone_differentiate(
+        &self,
+        bodies: &mut [Body<T>],
+        lines: &Lines<T>,
+        order: Order,
+    ) -> Result<(), GroupError> {
+        self.differentiate(bodies, lines, order)
     }
 
     /// PF1 and PF2 at these lines.
@@ -196,8 +225,12 @@ impl<T: Real> Legged<T> {
         &self,
         bodies: &mut [Body<T>],
         lines: &Lines<T>,
-        (inverse, order): (&Inverse<T>, Order),
+        order: Order,
     ) -> Result<(), GroupError> {
+        if order == Order::Place {
+            return Ok(());
+        }
+        let inverse = self.determined(lines)?;
         let zero = [T::ZERO; 3];
         self.set(bodies, lines, zero, None);
         let mut right = zero;
@@ -257,12 +290,7 @@ impl<T: Real> AssurGroup<T> for Legged<T> {
     }
 
     fn derive(&self, bodies: &mut [Body<T>], order: Order) -> Result<(), GroupError> {
-        if order == Order::Place {
-            return Ok(());
-        }
-        let lines = self.lines(bodies);
-        let inverse = self.determined(&lines)?;
-        self.differentiate(bodies, &lines, (&inverse, order))
+        self.lone_differentiate(bodies, &self.lone_lines(bodies).0, order)
     }
 
     fn solve(&self, bodies: &mut [Body<T>], way: usize, order: Order) -> Result<T, GroupError> {
@@ -270,8 +298,7 @@ impl<T: Real> AssurGroup<T> for Legged<T> {
     }
 
     fn health(&self, bodies: &[Body<T>]) -> f64 {
-        let lines = self.lines(bodies);
-        self.measure(&lines).abs().least()
+        self.lone_lines(bodies).1.abs().least()
     }
 
     fn reactions(
@@ -303,6 +330,7 @@ impl<T: Real> AssurGroup<T> for Legged<T> {
     }
 
     fn modes(&self, bodies: &[Body<T>]) -> Result<Option<Vec<Mode<T>>>, GroupError> {
-        self.listed(bodies).map(Some)
+        // Lanes have modes of their own each.
+        if TypeId::of::<T>() == TypeId::of::<Lanes>() { Ok(None) } else { self.listed(bodies).map(Some) }
     }
 }

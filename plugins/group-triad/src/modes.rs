@@ -55,7 +55,7 @@ impl<T: Real> Legged<T> {
             let polished = self.polish(bodies);
             if !polished.converged
                 || polished.way > FAR
-                || self.lone_lines(bodies).open() > self.rounding_at(bodies)
+                || self.lone_lines(bodies).0.open() > self.rounding_at(bodies)
             {
                 // Where two modes meet, Newton's method converges slowly, if at all.
                 self.put_core(&raw, bodies);
@@ -63,8 +63,7 @@ impl<T: Real> Legged<T> {
                     continue;
                 }
             }
-            let lines = self.lone_lines(bodies);
-            let health = self.measure(&lines).to_f64();
+            let health = self.lone_lines(bodies).1.to_f64();
             let core = self.core(bodies);
             // One mode that is found twice has its rounding, magnified by the determinant; two that are next to each other have
             // opposite signs.
@@ -88,12 +87,12 @@ impl<T: Real> Legged<T> {
     fn approach(&self, bodies: &mut [Body<T>]) -> bool {
         self.settle(bodies);
         let start = self.core(bodies);
-        let mut best = (self.lone_lines(bodies).open(), start);
+        let mut best = (self.lone_lines(bodies).0.open(), start);
         for _ in 0..MOST_STEPS_TO_MEETING {
             if self.lone_step(bodies).to_f64().is_nan() || self.apart(&start, &self.core(bodies)) > FAR {
                 break;
             }
-            let gap = self.lone_lines(bodies).open();
+            let gap = self.lone_lines(bodies).0.open();
             if gap < best.0 {
                 best = (gap, self.core(bodies));
             }

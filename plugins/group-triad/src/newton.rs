@@ -6,7 +6,7 @@
 use std::any::TypeId;
 
 use assur_group::{Body, GroupError, Order};
-use assur_number::{Lanes, Real};
+use assur_number::{Lanes, ROUNDING, Real};
 
 use crate::kernel::Legged;
 use crate::matrix::Inverse;
@@ -18,14 +18,8 @@ const MOST_STEPS: usize = 12;
 /// exact steps), ...
 const CONTRACTION: f64 = 0.25;
 
-/// ... or one below this, rad or parts of the size, which is rounding, ...
-const TINY: f64 = 1e-12;
-
-/// ... or below so many units of the last place.
+/// ... or one that is [`ROUNDING`] in rad or parts of the size, or below so many units of the last place.
 const LAST_PLACES: f64 = 64.0;
-
-/// Guides of one leg at a smaller sine than this are parallel.
-const PARALLEL: f64 = 1e-12;
 
 /// The result of an iteration.
 #[derive(Debug, Clone, Copy)]
@@ -40,7 +34,7 @@ pub(crate) struct Polished {
 /// Whether the first two steps show that the root belongs to the start, in every lane.
 #[inline(always)]
 fn is_near<T: Real>(before: T, size: T) -> bool {
-    let tiny = T::from_f64(TINY.max(LAST_PLACES * T::EPSILON));
+    let tiny = T::from_f64(ROUNDING.max(LAST_PLACES * T::EPSILON));
     (T::from_f64(CONTRACTION) * before + tiny - size).at_least(0.0)
 }
 
@@ -62,8 +56,12 @@ impl<T: Real> Legged<T> {
         way: usize,
         order: Order,
     ) -> Result<T, GroupError> {
-        if !self.spread.abs().at_least(PARALLEL) {
+        if !self.spread.abs().at_least(ROUNDING) {
             return Err(GroupError::Singular { health: 0.0 });
+        }
+        if T::EPSILON < f64::EPSILON {
+            // Numbers of more digits are references: what is fast for others would only be compiled once more.
+            return self.solve_far(bodies, way, order);
         }
         let start = self.core(bodies);
         let near = T::evaluate(
@@ -108,20 +106,18 @@ impl<T: Real> Legged<T> {
         let start = self.core(bodies);
         let polished = self.polish(bodies);
         if polished.converged && polished.is_near {
-            let lines = self.lone_lines(bodies);
-            let health = self.measure(&lines);
+            let (lines, health) = self.lone_lines(bodies);
             if (health.to_f64() > 0.0) == (way == 0) && lines.open() <= self.rounding_at(bodies) {
-                return self.complete(bodies, (&lines, health), order);
+                return self.lone_complete(bodies, (&lines, health), order);
             }
         }
         self.put_core(&start, bodies);
         self.place_far(bodies, &start, way)?;
-        let lines = self.lone_lines(bodies);
-        let health = self.measure(&lines);
+        let (lines, health) = self.lone_lines(bodies);
         if health.to_f64().is_nan() {
             return Err(GroupError::Singular { health: f64::NAN });
         }
-        self.complete(bodies, (&lines, health), order)
+        self.lone_complete(bodies, (&lines, health), order)
     }
 
     /// One step: its size in rad and parts of the size of the links.

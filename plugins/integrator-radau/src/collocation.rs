@@ -4,6 +4,7 @@ use assur_integrator::{
     Attempt, Control, CountedEquation, Dense, MotionError, Node, Pace, Partials, Scale, State, Step, Stepper,
 };
 use assur_number::elementary;
+use assur_number::elimination::Lu;
 use nalgebra::{Matrix3, Vector3};
 
 /// Most iterations of Newton's method.
@@ -83,7 +84,7 @@ impl Collocation {
                     speed: speed + speeds[i],
                 })?;
             }
-            let change = newton * (A * accelerations * h - speeds);
+            let change = Vector3::from(newton.solve(&(A * accelerations * h - speeds).into()));
             speeds += change;
             self.increments = [self.coordinates(speed, &speeds), speeds];
             let moved = A * change * h;
@@ -153,10 +154,13 @@ impl Collocation {
     }
 }
 
-/// Inverse of I - h A de/dw - h² A² de/dq; none for a singular matrix.
-fn newton_matrix(h: f64, partials: &Partials) -> Option<Matrix3<f64>> {
+/// Factors of I - h A de/dw - h² A² de/dq; none for a singular matrix.
+fn newton_matrix(h: f64, partials: &Partials) -> Option<Lu<f64, 3>> {
     let matrix = A * (h * partials.by_speed) + A * A * (h * h * partials.by_coordinate);
-    (Matrix3::identity() - matrix).try_inverse()
+    let newton = Matrix3::identity() - matrix;
+    // Stored by columns.
+    let lu = Lu::new(newton.transpose().into());
+    (lu.factored.health > 0.0).then_some(lu)
 }
 
 impl Stepper for Collocation {

@@ -3,7 +3,7 @@
 use assur_force::{Cause, LoadState};
 use assur_group::Order;
 use assur_mechanism::{Contact, LoadId, Name};
-use assur_number::elementary;
+use assur_number::{ROUNDING, elementary};
 use assur_structure::name_of;
 use assur_words::{Text, number, text};
 
@@ -47,9 +47,6 @@ impl Calculation {
         notes
     }
 }
-
-/// Sliding below this part of the terms of which it consists is rounding: the arc rolls.
-const ROLLS: f64 = 1e-12;
 
 impl Calculation {
     /// Where a friction whose sign is given pushes with the sliding, and where one against the sliding has nothing to oppose.
@@ -104,7 +101,7 @@ impl Calculation {
         let ([sin, cos], center) =
             ([elementary::sin(angle), elementary::cos(angle)], body.first(body.arm(contact.center.at)));
         let [own, turned] = [center[0] * cos - center[1] * sin, contact.radius * body.w1];
-        let rolls = (own + turned).abs() <= ROLLS * (own.abs() + turned.abs());
+        let rolls = (own + turned).abs() <= ROUNDING * (own.abs() + turned.abs());
         let sense = if state.speed == 0.0 { linkage.mechanism.input.sign() } else { state.speed.signum() };
         Some([if rolls { 0.0 } else { sense * (own + turned) }, friction * force?])
     }

@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use assur_force::{Cause, LoadState, power};
 use assur_group::Order;
 use assur_mechanism::{LoadId, Motion, Over, Range, Spring, Value, passage};
-use assur_number::elementary;
+use assur_number::{ROUNDING, elementary};
 use assur_words::{Text, list, quantity, text};
 
 use super::Listed;
@@ -51,8 +51,6 @@ impl Calculation {
     /// Springs whose ends meet in positions of the scene: there they have no direction and give no force, even with a
     /// free length.
     pub(super) fn springs_without_direction(&self) -> Vec<Text> {
-        /// Ends nearer to each other than this part of the scale of the mechanism meet.
-        const NEAR: f64 = 1e-12;
         let (linkage, mechanism) = (&self.linkage, &self.linkage.mechanism);
         let mut position = linkage.position();
         let mut meets = |spring: &Spring, index: usize| {
@@ -60,7 +58,7 @@ impl Calculation {
                 return false;
             }
             let [a, b] = spring.ends.map(|end| position.bodies[end.link].point(end.at));
-            elementary::hypot(b[0] - a[0], b[1] - a[1]) <= NEAR * linkage.structure.scale
+            elementary::hypot(b[0] - a[0], b[1] - a[1]) <= ROUNDING * linkage.structure.scale
         };
         let words = mechanism.loads.iter().filter_map(|load| {
             let spring = load.kind.spring().filter(|spring| spring.stiffness > 0.0 && spring.length > 0.0)?;

@@ -1,8 +1,8 @@
 //! A solved stretch of the path: the kinetic energy on it as a polynomial, with its derivatives with respect to the
 //! unknowns; found by Newton's method for the collocation equations, and the variational equation.
 
+use assur_number::elimination::Lu;
 use assur_number::search::bisect;
-use nalgebra::{SMatrix, SVector};
 
 use super::path::{Coefficients, NodalCoefficients, RULE, S, Values};
 use crate::InputDrive;
@@ -217,9 +217,6 @@ const LEAST_LEFT: f64 = 0.05;
 /// The last Newton step, as part of the greatest energy. It is taken: the remaining error is of the size of its square.
 const CONVERGED: f64 = 1e-11;
 
-/// The equations of the nodes, factorized at the solution.
-type Factors = nalgebra::LU<f64, nalgebra::Const<S>, nalgebra::Const<S>>;
-
 /// Solves `T(i) = T(0) + h sum over j of a(i, j) M(x(j), T(j))`; `guess`: energies of a solution nearby.
 pub(crate) fn solve(
     setup: &Setup,
@@ -250,21 +247,24 @@ fn converge(
     energy: &mut Values,
     h: f64,
     moment: impl Fn(usize, &Values) -> Moment,
-) -> Result<([Moment; S + 1], Factors), Failure> {
+) -> Result<([Moment; S + 1], Lu<f64, S>), Failure> {
     let start = energy[0];
     let mut moments: [Moment; S + 1] = std::array::from_fn(|j| moment(j, energy));
     for _ in 0..MOST_STEPS {
         let integrals = RULE.integrals(&moments.map(|moment| moment.value));
-        let miss = SVector::<f64, S>::from_fn(|i, _| start + h * integrals[i + 1] - energy[i + 1]);
+        let miss: [f64; S] = std::array::from_fn(|i| start + h * integrals[i + 1] - energy[i + 1]);
         let unit = |i, j| f64::from(u8::from(i == j));
         let slope = |i: usize, j: usize| unit(i, j) - h * RULE.a[i][j] * moments[j + 1].by_energy;
-        let lu = SMatrix::<f64, S, S>::from_fn(slope).lu();
-        let Some(step) = lu.solve(&miss).filter(|step| step.iter().all(|d| d.is_finite())) else { break };
+        let lu = Lu::new(std::array::from_fn(|i| std::array::from_fn(|j| slope(i, j))));
+        let step = lu.solve(&miss);
+        if !step.iter().all(|d| d.is_finite()) {
+            break;
+        }
         for (t, d) in energy[1..].iter_mut().zip(&step) {
             *t = (*t + d).max(LEAST_LEFT * *t).max(FLOOR * start);
         }
         let most = energy.iter().copied().fold(0.0, f64::max);
-        if step.amax() <= CONVERGED * most {
+        if step.iter().all(|d| d.abs() <= CONVERGED * most) {
             let stalled = energy.iter().any(|t| *t <= 2.0 * FLOOR * start);
             return if stalled { Err(Failure { stalled }) } else { Ok((moments, lu)) };
         }
@@ -277,18 +277,18 @@ fn converge(
 
 /// Derivatives of the energies with respect to each parameter: they solve the linear system of the last Newton step with
 /// other right-hand sides.
-fn derivatives(moments: &[Moment; S + 1], lu: &Factors, start: &Start, h: f64) -> [Values; PARAMETERS] {
-    let vary = |right: SVector<f64, S>, first: f64| -> Values {
-        let found = lu.solve(&right).unwrap_or_else(|| SVector::repeat(f64::NAN));
+fn derivatives(moments: &[Moment; S + 1], lu: &Lu<f64, S>, start: &Start, h: f64) -> [Values; PARAMETERS] {
+    let vary = |right: [f64; S], first: f64| -> Values {
+        let found = lu.solve(&right);
         std::array::from_fn(|i| if i == 0 { first } else { found[i - 1] })
     };
     let mut derivatives = [[0.0; S + 1]; PARAMETERS];
     let by_energy = start.derivatives[BY_ENERGY];
-    derivatives[BY_ENERGY] = vary(SVector::repeat(1.0), 1.0).map(|d| d * by_energy);
+    derivatives[BY_ENERGY] = vary([1.0; S], 1.0).map(|d| d * by_energy);
     for p in [BY_DRIVE, BY_FLYWHEEL] {
         let sources = RULE.integrals(&moments.map(|moment| moment.by_parameter[p - 1]));
         let first = start.derivatives[p];
-        derivatives[p] = vary(SVector::from_fn(|i, _| first + h * sources[i + 1]), first);
+        derivatives[p] = vary(std::array::from_fn(|i| first + h * sources[i + 1]), first);
     }
     derivatives
 }

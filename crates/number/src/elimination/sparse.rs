@@ -1,6 +1,7 @@
 //! A sparse linear system: the matrix of a large group has four to eight entries in a row.
 
-use assur_number::Real;
+use super::{Factored, Pivots};
+use crate::Real;
 
 /// A pivot must have at least this part of the greatest entry of its row.
 const THRESHOLD: f64 = 0.1;
@@ -19,33 +20,30 @@ struct Step<T> {
 
 /// LU factors of a sparse matrix: of the pivots that are great enough the one that fills least is taken (Markowitz).
 #[derive(Debug, Clone)]
-pub(crate) struct SparseLu<T> {
+pub struct SparseLu<T> {
     steps: Vec<Step<T>>,
-    /// Smallest pivot / greatest pivot, absolute values: 0 for a singular matrix.
-    pub(crate) health: f64,
-    /// Whether the determinant is positive.
-    pub(crate) is_positive: bool,
+    /// What the matrix is known by.
+    pub factored: Factored,
 }
 
 impl<T: Real> SparseLu<T> {
     /// Factors a matrix given by the entries of its rows.
-    pub(crate) fn new(rows: Vec<Vec<(usize, T)>>) -> Self {
+    pub fn new(rows: Vec<Vec<(usize, T)>>) -> Self {
         let count = rows.len();
         let mut left = Left::of(rows);
         let mut steps = Vec::with_capacity(count);
-        let (mut least, mut greatest) = (f64::INFINITY, 0.0_f64);
+        let mut pivots = Pivots::NONE;
         while let Some(step) = left.eliminate() {
-            least = least.min(step.pivot.abs().least());
-            greatest = greatest.max(step.pivot.abs().greatest());
+            pivots.add(step.pivot);
             steps.push(step);
         }
-        let is_whole = steps.len() == count && greatest > 0.0 && greatest.is_finite();
-        let health = if is_whole { least / greatest } else { 0.0 };
+        let health = if steps.len() == count { pivots.ratio() } else { 0.0 };
         let is_positive = is_positive(&steps);
-        Self { steps, health, is_positive }
+        Self { steps, factored: Factored { health, is_positive } }
     }
 
-    pub(crate) fn solve(&self, right: &[T]) -> Vec<T> {
+    /// The solution for a right-hand side; not finite for a singular matrix.
+    pub fn solve(&self, right: &[T]) -> Vec<T> {
         let mut y = right.to_vec();
         for step in &self.steps {
             let known = y[step.row];
