@@ -83,9 +83,9 @@ pub(super) fn of(mechanism: &Mechanism, size: f64) -> Vec<Warning> {
 /// What contradicts itself in the input, the motion and the drive; `speed`: its key and size.
 fn of_input_and_drive(mechanism: &Mechanism, speed: &(Key, f64)) -> Vec<Warning> {
     let mut warnings = Vec::new();
-    let mut doubt = |is: bool, key: &Key, text: &dyn Fn() -> Text| {
+    let mut doubt = |is: bool, key: &Key, text: Text| {
         if is {
-            warnings.push(Warning::mistake(key.clone(), text()));
+            warnings.push(Warning::mistake(key.clone(), text));
         }
     };
     let turned_twice = mechanism.input.sign() < 0.0
