@@ -102,8 +102,9 @@ impl Layout {
             if let Some(schema) = results.as_ref().filter(|_| measure.is_plain) {
                 to.add_plain(schema, measure.name);
             }
+            // Each number of the motion between positions has all parts one after the other.
             let same = |one: &MeasureColumn, other: &MeasureColumn| {
-                (one.measure, one.of) == (other.measure, other.of)
+                one.of != Of::Parts && (one.measure, one.of) == (other.measure, other.of)
             };
             for family in COLUMNS.chunk_by(same).filter(|family| family[0].measure == measure.name) {
                 to.add(family[0].of, family);
