@@ -100,7 +100,7 @@ fn settling_leads_to_the_same_regime() {
     let motor = found.motor.as_ref().unwrap();
     let drive = DriveRequest {
         torque: TorqueRequest::Motor {
-            characteristic: motor.motor.characteristic,
+            characteristic: motor.work.characteristic,
             rotor: 0.0045,
             ratio: found.regime.figures.ratio,
             efficiency: 0.95,
@@ -166,6 +166,6 @@ fn motor_and_places_of_the_flywheel() {
 fn loads_are_reduced_to_the_pin_of_the_crank() {
     let mechanism = read(scene("shaper-drive"));
     let point = ReductionPoint::farthest(&mechanism).unwrap();
-    assert_eq!(mechanism.points[point.point].name, "A");
+    assert_eq!(point.point.name, "A");
     assert_relative_eq!(point.radius, 0.1, max_relative = 1e-12);
 }

@@ -70,14 +70,11 @@ fn loads_are_reduced_to_the_farthest_point_of_the_crank() {
     };
     let mechanism = scene("O = 0, A = 0.2, B = [0.3, -0.4], C = 0.3");
     let found = assur_mechanism::ReductionPoint::farthest(&mechanism).unwrap();
-    assert_eq!(mechanism.points[found.point].name, "B");
+    assert_eq!(found.point.name, "B");
     assert!((found.radius - 0.5).abs() < 1e-15, "{found:?}");
     // Of equal ones the first.
     let mechanism = scene("O = 0, A = 0.2, B = [0, 0.2]");
-    assert_eq!(
-        mechanism.points[assur_mechanism::ReductionPoint::farthest(&mechanism).unwrap().point].name,
-        "A"
-    );
+    assert_eq!(assur_mechanism::ReductionPoint::farthest(&mechanism).unwrap().point.name, "A");
     assert_eq!(assur_mechanism::ReductionPoint::farthest(&scene("O = 0")), None);
 }
 
@@ -85,7 +82,7 @@ fn loads_are_reduced_to_the_farthest_point_of_the_crank() {
 fn the_margin_of_a_section_is_a_part_of_the_section() {
     let (linkage, loads) = compiled(assur_fixtures::scene("shaper-drive"));
     let found = steady(&linkage, &loads, None).unwrap();
-    let (figures, motor) = (&found.regime.figures, found.motor.unwrap().motor.characteristic);
+    let (figures, motor) = (&found.regime.figures, found.motor.unwrap().work.characteristic);
     let [low, high] = motor.stable_section();
     // Where the least and the greatest speed of the motor lie on the section, from 0 to 1.
     let part = |speed: f64| (figures.ratio.unwrap() * speed.abs() - low) / (high - low);

@@ -16,7 +16,7 @@ fn solved(unevenness: &str, characteristic: &str) -> Result<Steady, DynamicsErro
 }
 
 fn margin(found: &Steady) -> f64 {
-    section_margin(&found.regime, &found.motor.as_ref().unwrap().motor.characteristic)
+    section_margin(&found.regime, &found.motor.as_ref().unwrap().work.characteristic)
 }
 
 /// A little more leaves the section, a little less stays on it; the motor reaches an end of the section.
@@ -38,7 +38,7 @@ fn no_greater_unevenness_keeps_the_motor_on_its_section() {
 #[test]
 fn the_section_of_a_straight_line_ends_at_the_breakdown_torque() {
     let found = solved("\"motor\"", "linear").unwrap();
-    let characteristic = found.motor.unwrap().motor.characteristic;
+    let characteristic = found.motor.unwrap().work.characteristic;
     let [low, high] = characteristic.stable_section();
     assert_relative_eq!(
         characteristic.torque(low),

@@ -49,7 +49,9 @@ fn a_motor_brakes_with_less_than_the_loads_drive() {
     let power = found.regime.resistance_work * regime.figures.mean_speed / (2.0 * PI) * 0.8;
     assert_relative_eq!(regime.figures.required_power, power, max_relative = 1e-9);
     let motor = found.motor.unwrap();
-    assert!(motor.torque[0] < 0.0 && regime.figures.mean_speed * regime.figures.ratio.unwrap() > 50.0 * PI);
+    assert!(
+        motor.work.torque[0] < 0.0 && regime.figures.mean_speed * regime.figures.ratio.unwrap() > 50.0 * PI
+    );
 }
 
 /// A disc with a damper-like moment and a constant one.
