@@ -40,44 +40,17 @@ fn plugins() -> (Vec<&'static str>, Vec<String>) {
     (names, all.iter().map(|(_, crate_name)| crate_name.replace('-', "_")).collect())
 }
 
-/// Files of a folder that end so, outside its tests and benchmarks.
-fn sources(folder: &Path, end: &str, found: &mut Vec<PathBuf>) {
+/// Source files of a folder outside its tests and benchmarks.
+fn sources(folder: &Path, found: &mut Vec<PathBuf>) {
     for entry in fs::read_dir(folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display())) {
         let path = entry.unwrap_or_else(|error| panic!("{error}")).path();
         let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
         if path.is_dir() && !["tests", "benches", "target"].contains(&name.as_str()) {
-            sources(&path, end, found);
-        } else if path.extension().is_some_and(|own| own == end) && name != "tests.rs" {
+            sources(&path, found);
+        } else if path.extension().is_some_and(|end| end == "rs") && name != "tests.rs" {
             found.push(path);
         }
     }
-}
-
-fn core() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../crates")
-}
-
-#[test]
-fn no_text_of_the_core_names_a_plugin() {
-    // Words that texts have in their ordinary sense.
-    let ordinary = |name: &&str| ORDINARY.contains(name) || ["any", "quadrature", "virtual-power"].contains(name);
-    let (mut registered, _) = plugins();
-    registered.retain(|name| !ordinary(name));
-    let mut files = Vec::new();
-    sources(&core(), "ftl", &mut files);
-    assert!(files.len() > 60, "only {} files were found", files.len());
-    let mut faults = Vec::new();
-    for file in files {
-        let text = fs::read_to_string(&file).unwrap_or_else(|error| panic!("{}: {error}", file.display()));
-        for line in text.lines().filter(|line| !line.starts_with('#')) {
-            let said = line.split_once(" = ").map_or(line, |(_, said)| said);
-            let mut words = said.split(|letter: char| !letter.is_alphanumeric() && letter != '-');
-            faults.extend(words.find(|word| registered.contains(word)).map(|word| {
-                format!("{}: {word}: {line}", file.display())
-            }));
-        }
-    }
-    assert!(faults.is_empty(), "texts of the core name plugins:\n{}", faults.join("\n"));
 }
 
 #[test]
@@ -85,7 +58,7 @@ fn no_source_of_the_core_names_a_plugin() {
     let (registered, crates) = plugins();
     assert!(registered.len() > 15 && registered.contains(&"RRR"), "{registered:?}");
     let mut files = Vec::new();
-    sources(&core(), "rs", &mut files);
+    sources(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../crates"), &mut files);
     assert!(files.len() > 100, "only {} files were found", files.len());
     let mut faults = Vec::new();
     for file in files {
