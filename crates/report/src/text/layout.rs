@@ -1,14 +1,14 @@
 //! Blocks of a document as lines of a width: for a page of the text report, and for a view of the terminal UI.
 
-use assur_book::{Block, Cell, Column, Document, Fact, Printed, Table, Term};
+use assur_book::{Block, Cell, Column, Fact, Printed, Table, Term};
 use assur_words::{Text, text};
 use unicode_width::UnicodeWidthStr;
 
 use super::grid::{GAP, Ready, fold, grid, total};
-use super::line::{Line, LineKind, Style, joined, wrap};
+use super::line::{Line, LineKind, Style, wrap};
 
 /// Columns of the report.
-const WIDTH: usize = 100;
+pub(super) const WIDTH: usize = 100;
 /// Rows of a table that are shown.
 const MOST_ROWS: usize = 4096;
 /// Lines of a table that are shown, all its blocks together: sixteen blocks of the most positions that are kept.
@@ -19,11 +19,6 @@ const LONG: usize = 30;
 const SCREEN: usize = 78;
 /// Facts on a narrower page are no table.
 const NARROW: usize = 60;
-
-/// A document as a text.
-pub fn written(document: &Document, style: Style<'_>) -> String {
-    joined(&lines(&document.blocks, style, WIDTH))
-}
 
 /// Blocks as lines of at most `width` columns.
 pub fn lines(blocks: &[Block], style: Style<'_>, width: usize) -> Vec<Line> {
@@ -68,19 +63,24 @@ impl Page<'_> {
         self.push(LineKind::Rule, rule);
     }
 
-    /// A numbered heading.
-    fn section(&mut self, name: &Text) {
-        self.sections += 1;
+    /// An empty line below what stands above.
+    fn gap(&mut self) {
         if !self.lines.is_empty() {
             self.push(LineKind::Words, "");
         }
+    }
+
+    /// A numbered heading.
+    fn section(&mut self, name: &Text) {
+        self.sections += 1;
+        self.gap();
         self.underlined(format!("{}. {}", self.sections, self.style.line(name)), "-");
     }
 
     /// A line that names the table below it.
     fn caption(&mut self, caption: &Text) {
         if !caption.is_empty() {
-            self.push(LineKind::Words, "");
+            self.gap();
             self.wrapped(LineKind::Heading, &self.style.line(caption), 0, 2);
         }
     }

@@ -15,14 +15,21 @@ use crate::json::analysis::finite as finite_analysis;
 use crate::json::{NotFinite, finite};
 use crate::topic::{self, Source};
 pub use grid::columns;
-pub use layout::{lines, written};
+use layout::WIDTH;
+pub use layout::lines;
+use line::joined;
 pub use line::{Line, LineKind, Style};
 
 /// The text of a topic alone: of the blocks that it adds to a document.
 pub fn told(style: Style<'_>, topic: impl FnOnce(&mut Document)) -> String {
+    told_within(WIDTH, style, topic)
+}
+
+/// The text of a topic alone in lines of at most `width` columns.
+pub fn told_within(width: usize, style: Style<'_>, topic: impl FnOnce(&mut Document)) -> String {
     let mut page = Document::default();
     topic(&mut page);
-    written(&page, style)
+    joined(&lines(&page.blocks, style, width))
 }
 
 /// The whole report: first the results that are asked for first, then the tables. `positions`: the numbers of the
@@ -34,7 +41,7 @@ pub fn report(
     style: Style<'_>,
 ) -> Result<String, NotFinite> {
     let source = Source::of(finite_analysis(analysis)?, linkage, positions);
-    Ok(written(&topic::report(&source), style))
+    Ok(joined(&lines(&topic::report(&source).blocks, style, WIDTH)))
 }
 
 /// What a study found as a page of its topic.

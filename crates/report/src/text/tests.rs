@@ -2,11 +2,11 @@
 
 use super::columns;
 use super::line::wrap;
-use super::{Style, told, written};
+use super::{Style, told};
 use assur_all as _;
 use assur_analysis::results::{Check, Finding};
 use assur_analysis::{Calculation, Options, unwatched};
-use assur_book::{Column, Document, Table, Unit, row};
+use assur_book::{Column, Table, Unit, row};
 use assur_diagram::{PlanSheet, PlanVector, VectorKind, VectorPlan};
 use assur_words::{Language, Text, name, number};
 
@@ -147,7 +147,7 @@ fn sheet_of(vectors: [[f64; 2]; 2]) -> PlanSheet {
 fn plans_are_tables_with_directions_that_rounding_does_not_change() {
     let text = told(ascii(), |page| crate::topic::plans(&sheet_of([[1.0, -1e-17], [-1.0, -0.0]]), page));
     let two = &text[..text.find("Plan of accelerations").unwrap()];
-    assert!(two.starts_with("\nTwo: unit N, 1 mm = 0.2 N; residual "), "{two}");
+    assert!(two.starts_with("Two: unit N, 1 mm = 0.2 N; residual "), "{two}");
     assert!(two.contains(" 0.0000 ") && two.contains(" 180.0000 ") && !two.contains("-180"), "{two}");
     assert!(two.contains("  1  N ") && two.contains("load on `arm`"), "{two}");
     let text = told(ascii(), |page| crate::topic::plans(&sheet_of([[0.0, -20.0], [0.0, 20.0]]), page));
@@ -172,19 +172,16 @@ fn the_plans_of_a_position_have_every_table() {
 
 #[test]
 fn long_lists_and_wide_tables_are_shortened_and_say_so() {
-    let mut page = Document::default();
     let list = Table::list(Text::default(), [Column::of(name("pair"))]);
-    page.table(list.rows(vec![row!["A"]; 5000]));
-    let text = written(&page, Style::english());
+    let text = told(Style::english(), |page| page.table(list.rows(vec![row!["A"]; 5000])));
     assert!(text.ends_with("\nA\n... 4096 of 5000 rows shown; all are in the other forms (`--format`)\n"));
     assert_eq!(text.lines().count(), 2 + 4096 + 1);
     // Each block of 100 characters has seven columns of these, and a table sixteen blocks.
-    let mut page = Document::default();
     let rows = 4096;
     let key = Column::counted(name("No."), vec![1; rows]);
     let wide = Column::numbers(name("a long head"), Unit::JOULE, vec![Some(1.0); rows]);
-    page.table(Table::over(Text::default(), vec![key], vec![wide; 200]));
-    let text = written(&page, Style::english());
+    let table = Table::over(Text::default(), vec![key], vec![wide; 200]);
+    let text = told(Style::english(), |page| page.table(table));
     assert!(
         text.ends_with("... 112 of 200 columns shown; all are in the other forms (`--format`)\n"),
         "{}",

@@ -7,7 +7,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use assur_analysis::Options;
 use assur_analysis::results::Checks;
-use assur_report::text::{Style, told};
+use assur_report::text::{Style, told_within};
 use assur_study::chart::{self, ChartData};
 use assur_study::stability::Stability;
 use assur_words::Text;
@@ -145,8 +145,9 @@ impl Measured {
             None => chart,
             Some(Err(error)) => format!("{chart}\n{}\n", style.line(error)),
             Some(Ok(found)) => {
-                let conclusion = told(style, |page| found.conclude(page));
-                format!("{conclusion}\n{chart}\n{}", told(style, |page| found.tell(page)))
+                let width = usize::from(width);
+                let conclusion = told_within(width, style, |page| found.conclude(page));
+                format!("{conclusion}\n{chart}\n{}", told_within(width, style, |page| found.tell(page)))
             }
         }
     }

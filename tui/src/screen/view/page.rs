@@ -16,7 +16,7 @@ pub(super) fn told(state: &State, width: u16, topic: impl FnOnce(&mut Document))
     page.blocks.retain(|block| !matches!(block, Block::Title(_) | Block::Heading(_)));
     let style = Style { language: state.language(), ascii: false };
     let all = lines(&page.blocks, style, width.into()).into_iter();
-    all.filter(|line| line.kind != LineKind::Rule).skip_while(|line| line.text.is_empty()).collect()
+    all.filter(|line| line.kind != LineKind::Rule).collect()
 }
 
 /// The facts that have one of these identities, in lines of a width.
