@@ -1,6 +1,6 @@
 //! Small dense matrices: a linear system, and the spectral radius of a nonnegative matrix.
 
-use assur_number::elementary;
+use assur_number::{Real, elementary};
 
 /// Number of squarings: the norm of a power 2^50 of a matrix is its spectral radius to that power but for a factor whose root
 /// is 1 to rounding.
@@ -57,6 +57,14 @@ fn by_vector(matrix: &[Vec<f64>], power: &[Vec<f64>]) -> Option<f64> {
 ///
 /// Needs neither irreducibility nor a single greatest eigenvalue. Infinite or NaN where an entry is.
 pub fn spectral_radius(matrix: &[Vec<f64>]) -> f64 {
+    f64::evaluate(
+        #[inline(always)]
+        || by_squaring(matrix),
+    )
+}
+
+#[inline(always)]
+fn by_squaring(matrix: &[Vec<f64>]) -> f64 {
     let n = matrix.len();
     let mut power = matrix.to_vec();
     // The logarithm of the factor that was taken out of the power, divided by the exponent of the power.
@@ -78,8 +86,13 @@ pub fn spectral_radius(matrix: &[Vec<f64>]) -> f64 {
         }
         logarithm += share * elementary::ln(greatest);
         power.iter_mut().flatten().for_each(|x| *x /= greatest);
-        let entry = |i: usize, j: usize| (0..n).map(|k| power[i][k] * power[k][j]).sum::<f64>();
-        power = (0..n).map(|i| (0..n).map(|j| entry(i, j)).collect()).collect();
+        let mut square = vec![vec![0.0; n]; n];
+        for (sums, row) in square.iter_mut().zip(&power) {
+            for (entry, others) in row.iter().zip(&power) {
+                sums.iter_mut().zip(others).for_each(|(sum, other)| *sum += entry * other);
+            }
+        }
+        power = square;
         share *= 0.5;
     }
     elementary::exp(logarithm)
@@ -90,6 +103,7 @@ pub(crate) const SINGULAR: f64 = 1e-14;
 
 /// Solves `matrix x = right` in place by elimination with partial pivoting: the matrix is given by rows, one after the other, and so
 /// are several right sides. `None` where it is singular.
+#[inline(always)]
 pub(crate) fn solve(matrix: &mut [f64], rights: &mut [f64], n: usize) -> Option<()> {
     if n == 0 {
         return Some(());
