@@ -219,37 +219,6 @@ list-mark = Tab mark{"  "}
 calculating = calculating ...  ({ $key } stops)
 calculating-at = calculating: { $count }  ({ $key } stops)
 overwrite = { $file } exists: overwrite it? y / n
-add-motion = This scene has no motion, and no masses to reduce. Add to the scene, for example:
-
-    {"    [motion]"}
-    {"    speed = \"60 rpm\""}
-
-    or kind = "transient" (from an initial state), or kind = "steady" (the periodic regime). Then { $key } reads it again.
-add-drive = This scene has no steady regime of a drive. Add to the scene, for example:
-
-    {"    [motion]"}
-    {"    kind = \"steady\""}
-    {"    mean_speed = \"60 rpm\""}
-    {"    unevenness = 0.05"}
-
-    {"    [drive]"}
-    {"    motor = \"auto\""}
-    {"    ratio = \"solve\""}
-    {"    flywheel = \"solve\""}
-
-    Then { $key } reads it again.
-add-loads = This scene has no loads, so there are no forces. Add to the scene, for example:
-
-    {"    [[force]]"}
-    {"    link = \"ram\""}
-    {"    at = \"K\""}
-    {"    angle = \"180 deg\""}
-    {"    value = \"1500 N\""}
-
-    or gravity = "9.81 m/s^2" and masses. Then { $key } reads it again.
-forces-over-time = In a motion from an initial state forces belong to its instants, not to the positions: assur analyze SCENE gives them over time.
-no-forces-found = There are no forces, since the motion that the scene asks for was not found:
-nothing-here = this scene has nothing for this view
 
 # The configuration as `assur config` prints it.
 config-head = Configuration of assur's terminal UI. Every value here is the default; keep what you change.
@@ -273,7 +242,7 @@ config-panels = views beside the chosen one from 120 columns, as many as there i
 screen-too-small = needs { $width } x { $height }, has { $columns } x { $rows }
 config-fault = The configuration could not be used; the defaults apply. Press any key.
 no-analysis = no analysis: { $reason }
-forces-not-determined = no forces are determined in this position
+advice-reread = Then { $key } reads it again.
 forces-by-cause = by cause: { $reaction } (Up/Down: another pair)
 forces-cause = cause
 forces-direction = direction
@@ -289,7 +258,6 @@ curve-unlimited = unbounded towards
 curve-mean = mean
 curve-rms = rms
 drive-warning-more = ({ $key } { $key }: whole)
-drive-no-motor = this regime has no motor from a catalogue
 panel-coordinate = coordinate { $value }
 panel-speed = speed { $value }
 panel-balance = balance { $value }

@@ -212,43 +212,12 @@ list-mark = Tab отметить{"  "}
 calculating = расчёт ...  ({ $key } останавливает)
 calculating-at = расчёт: { $count }  ({ $key } останавливает)
 overwrite = { $file } уже есть: заменить? y / n
-add-motion = У сцены нет ни движения, ни масс для приведения. Добавьте в сцену, например:
-
-    {"    [motion]"}
-    {"    speed = \"60 rpm\""}
-
-    или kind = "transient" (из начального состояния), или kind = "steady" (периодический режим). Затем { $key } прочитает её снова.
-add-drive = У сцены нет установившегося режима привода. Добавьте в сцену, например:
-
-    {"    [motion]"}
-    {"    kind = \"steady\""}
-    {"    mean_speed = \"60 rpm\""}
-    {"    unevenness = 0.05"}
-
-    {"    [drive]"}
-    {"    motor = \"auto\""}
-    {"    ratio = \"solve\""}
-    {"    flywheel = \"solve\""}
-
-    Затем { $key } прочитает её снова.
-add-loads = У сцены нет нагрузок, поэтому нет сил. Добавьте в сцену, например:
-
-    {"    [[force]]"}
-    {"    link = \"ram\""}
-    {"    at = \"K\""}
-    {"    angle = \"180 deg\""}
-    {"    value = \"1500 N\""}
-
-    или gravity = "9.81 m/s^2" и массы. Затем { $key } прочитает её снова.
-forces-over-time = В движении из начального состояния силы относятся к моментам времени, а не к положениям: assur analyze SCENE даёт их во времени.
-no-forces-found = Сил нет, так как движение, которого требует сцена, не найдено:
-nothing-here = для этого вида у сцены ничего нет
 
 # The views.
 screen-too-small = нужно { $width } x { $height }, есть { $columns } x { $rows }
 config-fault = Настройки не удалось использовать; действуют исходные. Нажмите любую клавишу.
 no-analysis = анализа нет: { $reason }
-forces-not-determined = в этом положении силы не определены
+advice-reread = Затем { $key } прочитает её снова.
 forces-by-cause = по причинам: { $reaction } (Up/Down: другая пара)
 forces-cause = причина
 forces-direction = направление
@@ -264,7 +233,6 @@ curve-unlimited = без предела к
 curve-mean = среднее
 curve-rms = ср.кв.
 drive-warning-more = ({ $key } { $key }: полностью)
-drive-no-motor = у этого режима нет двигателя из каталога
 panel-coordinate = координата { $value }
 panel-speed = скорость { $value }
 panel-balance = уравнов. { $value }

@@ -209,43 +209,12 @@ list-mark = Tab позначити{"  "}
 calculating = розрахунок ...  ({ $key } зупиняє)
 calculating-at = розрахунок: { $count }  ({ $key } зупиняє)
 overwrite = { $file } вже є: замінити? y / n
-add-motion = Сцена не має ні руху, ні мас для зведення. Додайте до сцени, наприклад:
-
-    {"    [motion]"}
-    {"    speed = \"60 rpm\""}
-
-    або kind = "transient" (з початкового стану), або kind = "steady" (періодичний режим). Потім { $key } прочитає її знову.
-add-drive = Сцена не має усталеного режиму приводу. Додайте до сцени, наприклад:
-
-    {"    [motion]"}
-    {"    kind = \"steady\""}
-    {"    mean_speed = \"60 rpm\""}
-    {"    unevenness = 0.05"}
-
-    {"    [drive]"}
-    {"    motor = \"auto\""}
-    {"    ratio = \"solve\""}
-    {"    flywheel = \"solve\""}
-
-    Потім { $key } прочитає її знову.
-add-loads = Сцена не має навантажень, тому немає сил. Додайте до сцени, наприклад:
-
-    {"    [[force]]"}
-    {"    link = \"ram\""}
-    {"    at = \"K\""}
-    {"    angle = \"180 deg\""}
-    {"    value = \"1500 N\""}
-
-    або gravity = "9.81 m/s^2" і маси. Потім { $key } прочитає її знову.
-forces-over-time = У русі з початкового стану сили належать моментам часу, а не положенням: assur analyze SCENE подає їх у часі.
-no-forces-found = Сил немає, бо руху, якого вимагає сцена, не знайдено:
-nothing-here = для цього виду сцена не має нічого
 
 # The views.
 screen-too-small = потрібно { $width } x { $height }, є { $columns } x { $rows }
 config-fault = Налаштування не вдалося використати; діють типові. Натисніть будь-яку клавішу.
 no-analysis = аналізу немає: { $reason }
-forces-not-determined = у цьому положенні сили не визначено
+advice-reread = Потім { $key } прочитає її знову.
 forces-by-cause = за причинами: { $reaction } (Up/Down: інша пара)
 forces-cause = причина
 forces-direction = напрям
@@ -261,7 +230,6 @@ curve-unlimited = без межі в напрямку
 curve-mean = середнє
 curve-rms = ср.кв.
 drive-warning-more = ({ $key } { $key }: повністю)
-drive-no-motor = у цього режиму немає двигуна з каталогу
 panel-coordinate = координата { $value }
 panel-speed = швидкість { $value }
 panel-balance = зрівноваж. { $value }

@@ -10,10 +10,6 @@ use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use strum::VariantNames;
 
-use crate::screen::command::COMMANDS;
-use crate::screen::state::Keymap;
-use crate::screen::view;
-
 /// Width and height of a page, mm: what A4 leaves between its margins, in a good ratio.
 pub(crate) const PAGE: [f64; 2] = [160.0, 120.0];
 
@@ -243,8 +239,7 @@ fn step_of(
 fn figure(results: &Results, view: Picture, look: &Look<'_>, part: ViewPart) -> Result<Figure, StillError> {
     let figure = if view.is_in(results) { view.figure(results, look, part) } else { Figure::default() };
     if figure.panels.is_empty() {
-        let keys = Keymap::of(COMMANDS);
-        return Err(StillError::Nothing(view::missing(results, Some(view), look, part, &keys)));
+        return Err(StillError::Nothing(view.missing(results, look, part).why));
     }
     if matches!(view, Picture::Mechanism | Picture::Structure) {
         return Ok(figure);

@@ -81,3 +81,36 @@ reduction-mechanism = the mechanism
 reduction-model = disc: M = { $moment }, J = { $inertia }
 reduction-at-rest = { $told } (at rest)
 reduction-with-flywheel = { $told } (with flywheel and rotor)
+
+# What there is no picture of, and what to add to the scene.
+add-motion = This scene has no motion, and no masses to reduce. Add to the scene, for example:
+
+    {"    [motion]"}
+    {"    speed = \"60 rpm\""}
+
+    or kind = "transient" (from an initial state), or kind = "steady" (the periodic regime).
+add-drive = This scene has no steady regime of a drive. Add to the scene, for example:
+
+    {"    [motion]"}
+    {"    kind = \"steady\""}
+    {"    mean_speed = \"60 rpm\""}
+    {"    unevenness = 0.05"}
+
+    {"    [drive]"}
+    {"    motor = \"auto\""}
+    {"    ratio = \"solve\""}
+    {"    flywheel = \"solve\""}
+add-loads = This scene has no loads, so there are no forces. Add to the scene, for example:
+
+    {"    [[force]]"}
+    {"    link = \"ram\""}
+    {"    at = \"K\""}
+    {"    angle = \"180 deg\""}
+    {"    value = \"1500 N\""}
+
+    or gravity = "9.81 m/s^2" and masses.
+drive-no-motor = this regime has no motor from a catalogue
+forces-not-determined = no forces are determined in this position
+forces-over-time = In a motion from an initial state forces belong to its instants, not to the positions: assur analyze SCENE gives them over time.
+no-forces-found = There are no forces, since the motion that the scene asks for was not found:
+nothing-here = this scene has nothing for this view

@@ -81,3 +81,36 @@ reduction-mechanism = механизм
 reduction-model = диск: M = { $moment }, J = { $inertia }
 reduction-at-rest = { $told } (в покое)
 reduction-with-flywheel = { $told } (с маховиком и ротором)
+
+# What there is no picture of, and what to add to the scene.
+add-motion = У сцены нет ни движения, ни масс для приведения. Добавьте в сцену, например:
+
+    {"    [motion]"}
+    {"    speed = \"60 rpm\""}
+
+    или kind = "transient" (из начального состояния), или kind = "steady" (периодический режим).
+add-drive = У сцены нет установившегося режима привода. Добавьте в сцену, например:
+
+    {"    [motion]"}
+    {"    kind = \"steady\""}
+    {"    mean_speed = \"60 rpm\""}
+    {"    unevenness = 0.05"}
+
+    {"    [drive]"}
+    {"    motor = \"auto\""}
+    {"    ratio = \"solve\""}
+    {"    flywheel = \"solve\""}
+add-loads = У сцены нет нагрузок, поэтому нет сил. Добавьте в сцену, например:
+
+    {"    [[force]]"}
+    {"    link = \"ram\""}
+    {"    at = \"K\""}
+    {"    angle = \"180 deg\""}
+    {"    value = \"1500 N\""}
+
+    или gravity = "9.81 m/s^2" и массы.
+drive-no-motor = у этого режима нет двигателя из каталога
+forces-not-determined = в этом положении силы не определены
+forces-over-time = В движении из начального состояния силы относятся к моментам времени, а не к положениям: assur analyze SCENE даёт их во времени.
+no-forces-found = Сил нет, так как движение, которого требует сцена, не найдено:
+nothing-here = для этого вида у сцены ничего нет

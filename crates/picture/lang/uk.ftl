@@ -81,3 +81,36 @@ reduction-mechanism = механізм
 reduction-model = диск: M = { $moment }, J = { $inertia }
 reduction-at-rest = { $told } (у стані спокою)
 reduction-with-flywheel = { $told } (з маховиком і ротором)
+
+# What there is no picture of, and what to add to the scene.
+add-motion = Сцена не має ні руху, ні мас для зведення. Додайте до сцени, наприклад:
+
+    {"    [motion]"}
+    {"    speed = \"60 rpm\""}
+
+    або kind = "transient" (з початкового стану), або kind = "steady" (періодичний режим).
+add-drive = Сцена не має усталеного режиму приводу. Додайте до сцени, наприклад:
+
+    {"    [motion]"}
+    {"    kind = \"steady\""}
+    {"    mean_speed = \"60 rpm\""}
+    {"    unevenness = 0.05"}
+
+    {"    [drive]"}
+    {"    motor = \"auto\""}
+    {"    ratio = \"solve\""}
+    {"    flywheel = \"solve\""}
+add-loads = Сцена не має навантажень, тому немає сил. Додайте до сцени, наприклад:
+
+    {"    [[force]]"}
+    {"    link = \"ram\""}
+    {"    at = \"K\""}
+    {"    angle = \"180 deg\""}
+    {"    value = \"1500 N\""}
+
+    або gravity = "9.81 m/s^2" і маси.
+drive-no-motor = у цього режиму немає двигуна з каталогу
+forces-not-determined = у цьому положенні сили не визначено
+forces-over-time = У русі з початкового стану сили належать моментам часу, а не положенням: assur analyze SCENE подає їх у часі.
+no-forces-found = Сил немає, бо руху, якого вимагає сцена, не знайдено:
+nothing-here = для цього виду сцена не має нічого

@@ -21,6 +21,7 @@ mod found;
 mod friction;
 mod gather;
 pub mod mechanism;
+mod missing;
 pub mod motion;
 mod outline;
 mod places;
@@ -37,10 +38,11 @@ mod view;
 
 pub use found::Found;
 pub use gather::Reaction;
+pub use missing::Missing;
 pub use outline::Outline;
 pub use planner::{Planner, Plans};
-pub use probe::Probe;
-pub use results::{Broken, Compared, Results};
+pub use probe::{PathFigures, Probe};
+pub use results::{Among, Broken, Compared, Results};
 pub use series::{Series, Transfer};
 pub use view::Picture;
 

@@ -57,7 +57,7 @@ pub fn shown<'a>(found: &Found, look: &Look<'_>, part: ViewPart, plans: &'a Plan
 }
 
 /// Why the position has no such plan or construction; `None` where there is one, or where no position has forces.
-pub fn missing(found: &Found, look: &Look<'_>, part: ViewPart) -> Option<Text> {
+pub(crate) fn missing(found: &Found, look: &Look<'_>, part: ViewPart) -> Option<Text> {
     match shown(found, look, part, &found.plans.at(look.position)) {
         Shown::Nothing(why) => why,
         Shown::Plan(_) | Shown::Construction(..) => None,

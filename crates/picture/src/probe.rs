@@ -1,7 +1,9 @@
 //! A point that is moved over the drawing, to see which curve a point of a link describes.
 
+use assur_figure::Bounds;
+use assur_geometry::Curvature;
 use assur_kinematics::Position;
-use assur_mechanism::{GROUND, LinkId};
+use assur_mechanism::{GROUND, LinkId, Place};
 
 use crate::Results;
 
@@ -12,6 +14,19 @@ pub struct Probe {
     pub link: LinkId,
     /// Its place in the frame of the link, m.
     pub at: [f64; 2],
+}
+
+/// The path of a probe, and where on it the probe is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PathFigures {
+    /// Its place in the plane, m.
+    pub place: [f64; 2],
+    /// Width and height of the path, m.
+    pub size: [f64; 2],
+    /// Length of the path, as that of the polygon that is drawn, m.
+    pub length: f64,
+    /// Radius of curvature of the path there, m; `None` where it is infinite.
+    pub radius: Option<f64>,
 }
 
 impl Probe {
@@ -44,6 +59,21 @@ impl Probe {
             position.as_ref().map_or([f64::NAN; 2], |position| position.bodies[self.link].point(self.at))
         };
         results.outline.fine.iter().map(at).collect()
+    }
+
+    /// What it describes, in a position of the mechanism.
+    pub fn measured(&self, results: &Results, pose: &Position) -> PathFigures {
+        let motion = results.linkage.place_motion(Place { link: self.link, at: self.at }, pose);
+        let path = self.path(results);
+        let pieces = path.windows(2).map(|two| (two[1][0] - two[0][0]).hypot(two[1][1] - two[0][1]));
+        let curvature = Curvature::of(&motion, motion.pf1[0].hypot(motion.pf1[1]));
+        let curvature = curvature.map(|found| found.curvature.abs()).filter(|curvature| *curvature > 0.0);
+        PathFigures {
+            place: motion.pf0,
+            size: Bounds::around(path.iter().copied()).size(),
+            length: pieces.filter(|piece| piece.is_finite()).sum(),
+            radius: curvature.map(f64::recip),
+        }
     }
 
     /// Moves it so that it is at a place of the plane (m) in a position of the mechanism.

@@ -36,6 +36,18 @@ pub struct Results {
     modes: RefCell<HashMap<[usize; 2], Option<Arc<Modes>>>>,
 }
 
+/// A coordinate nearer to a position than this part of the way to the next one is in it.
+const AT_POSITION: f64 = 1e-6;
+
+/// Where a coordinate lies among the positions.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Among {
+    /// In this position.
+    At(usize),
+    /// Between these two.
+    Between([usize; 2]),
+}
+
 /// A position that can't be assembled.
 #[derive(Debug)]
 pub struct Broken {
@@ -144,6 +156,29 @@ impl Results {
     /// The coordinate at a number of a position, also between two or after the last one, in the unit that is shown.
     pub fn coordinate_at(&self, at: f64) -> f64 {
         coordinate_at(&self.linkage, at)
+    }
+
+    /// The position nearest to a coordinate, rad or m.
+    pub fn nearest(&self, at: f64) -> usize {
+        let input = &self.linkage.mechanism.input;
+        let end = self.positions() - usize::from(!self.is_cycle());
+        let distance = |number: &usize| (input.coordinate(*number) - at).abs();
+        let near = (0..=end).min_by(|one, other| distance(one).total_cmp(&distance(other)));
+        // The end of a cycle is its first position again.
+        near.unwrap_or(0) % self.positions()
+    }
+
+    /// Where a coordinate, rad or m, lies among the positions; `closes`: whether the end of the cycle is its first position.
+    pub fn among(&self, at: f64, closes: bool) -> Among {
+        let (input, count) = (&self.linkage.mechanism.input, self.positions());
+        let [first, next] = [0, 1].map(|index| input.coordinate(index));
+        let part = (at - first) / (next - first);
+        let is_end = !closes && part > count as f64 - 0.5;
+        if !is_end && (part - part.round()).abs() <= AT_POSITION {
+            return Among::At(self.nearest(at));
+        }
+        let before = (0..count).rev().find(|number| *number as f64 <= part).unwrap_or(0);
+        Among::Between([before, (before + 1) % count])
     }
 
     /// `position 6, 45 deg`.

@@ -1,12 +1,13 @@
 //! To the place of a result, to the extremes of a quantity, between the positions too, and back.
 
 use assur_analysis::results::{Column, Owner, Quantity, Turn};
+use assur_picture::Among;
 use assur_report::topic::About;
 use assur_words::{Text, number, quantity, text};
 
 use super::whatif;
 use crate::number::{digits, number as plain};
-use crate::screen::state::{Role, State, View, coordinate_unit, round};
+use crate::screen::state::{Role, State, View, coordinate_unit};
 
 /// Goes to where a result that is asked for first occurs, in its view.
 pub(super) fn result(state: &mut State) {
@@ -15,7 +16,7 @@ pub(super) fn result(state: &mut State) {
         return;
     };
     if let Some(at) = fact.at.first() {
-        let near = state.nearest(*at);
+        let near = state.scene.as_ref().map_or(0, |scene| scene.nearest(*at));
         state.go_to(near);
     }
     match fact.column {
@@ -76,9 +77,6 @@ pub(super) fn go_back(state: &mut State) {
     }
 }
 
-/// An extreme nearer to a position than this part of the way to the next one is in it.
-const AT_POSITION: f64 = 1e-6;
-
 /// Goes to the greatest value of the quantity that the view is about; of one whose sign is a sense to that of greatest modulus.
 pub(super) fn greatest(state: &mut State) {
     let Some(series) = state.main_series() else { return state.say(Role::Plain, text!("say-no-extreme")) };
@@ -109,34 +107,21 @@ fn to_extreme(state: &mut State, told: &'static str, turn: Option<Turn>) {
     let Some((turn, (series, scene))) = turn.zip(state.main_series().zip(state.scene.as_ref())) else {
         return state.say(Role::Plain, text!("say-no-extreme"));
     };
-    let near = state.nearest(turn.at);
+    let near = scene.nearest(turn.at);
     let found = scene.found.as_ref().map_or(turn, |found| found.extreme(series, turn));
-    let (input, unit) = (&scene.linkage.mechanism.input, &series.unit);
-    let [first, next] = [0, 1].map(|index| input.coordinate(index));
-    let part = (found.at - first) / (next - first);
-    // The end of a cycle is its first position only where the course closes there.
-    let is_end = part > (state.positions() as f64 - 0.5) && series.course.closes() == Some(false);
-    let place = if (part - part.round()).abs() <= AT_POSITION && !is_end {
-        text!("place-in", position = number(near))
-    } else {
-        let (own, factor) = coordinate_unit(&scene.linkage);
-        let (at, count) = (quantity(digits(factor * found.at, 6), own), state.positions());
-        // The position before it, and the one after it, which of the last one is the first.
-        let before = if input.coordinate(near) * (next - first).signum() > found.at * (next - first).signum()
-            || (near == 0 && part > 1.0)
-        {
-            round(near, -1, count)
-        } else {
-            near
-        };
-        text!("place-between", at = at, one = number(before), other = number(round(before, 1, count)))
-    };
-    let value = quantity(plain(series.factor * found.value), unit.clone());
+    let (own, factor) = coordinate_unit(&scene.linkage);
+    let at = || quantity(digits(factor * found.at, 6), own);
     let (value, place) = if found.value.is_finite() {
-        (value, place)
+        // The end of a cycle is its first position only where the course closes there.
+        let place = match scene.among(found.at, series.course.closes() != Some(false)) {
+            Among::At(position) => text!("place-in", position = number(position)),
+            Among::Between([one, other]) => {
+                text!("place-between", at = at(), one = number(one), other = number(other))
+            }
+        };
+        (quantity(plain(series.factor * found.value), series.unit.clone()), place)
     } else {
-        let (own, factor) = coordinate_unit(&scene.linkage);
-        (text!("say-unlimited", at = quantity(digits(factor * found.at, 6), own)), Text::default())
+        (text!("say-unlimited", at = at()), Text::default())
     };
     let text = Text::message(told, vec![("quantity", series.of.clone()), ("value", value), ("place", place)]);
     state.extreme = Some((series.column, near, turn.at));

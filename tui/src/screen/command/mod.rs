@@ -24,7 +24,7 @@ pub(crate) use whatif::toggle;
 pub(crate) use write::grant;
 
 use super::state::{
-    Command, Entry, Group, Key, LONGEST, PromptKind, Purpose, Role, State, Stop, View, round,
+    Command, Entry, Group, Key, LONGEST, PickerKind, PromptKind, Purpose, Role, State, Stop, View, round,
 };
 use super::view;
 
@@ -81,6 +81,12 @@ fn pass(state: &mut State, event: KeyEvent) {
             (command.run)(state);
         }
         None if state.help.is_some() => press_in_help(state, key),
+        None if key.code == KeyCode::Tab && lists_scenes(state) => {
+            // A file of the user is completed on the line.
+            let typed = state.entry().map(|entry| format!("open {entry}"));
+            state.open_prompt(PromptKind::Command, typed.unwrap_or_default());
+            complete(state, 1);
+        }
         None if state.picker.is_some() => picker::press(state, key),
         None => state.fault = None,
     }
@@ -93,6 +99,10 @@ pub(crate) fn prepare(state: &mut State) {
     if state.entry().is_some_and(Entry::is_cut) {
         state.say(Role::Bad, text!("say-too-long", most = number(LONGEST)));
     }
+}
+
+fn lists_scenes(state: &State) -> bool {
+    state.picker.as_ref().is_some_and(|picker| picker.kind == PickerKind::Scenes)
 }
 
 /// Whether something is open that `q` closes before it leaves the program.

@@ -5,9 +5,7 @@ use assur_words::{name, text};
 use crossterm::event::KeyCode;
 
 use super::{jobs, motors, whatif};
-use crate::screen::state::{
-    Choice, Key, Picker, PickerKind, PromptKind, Series, Source, State, View, Wanted,
-};
+use crate::screen::state::{Choice, Key, Picker, PickerKind, Series, Source, State, View, Wanted};
 
 const PAGE: isize = 10;
 
@@ -46,12 +44,6 @@ pub(super) fn press(state: &mut State, key: Key) {
         KeyCode::Tab if picker.kind == PickerKind::Quantities => {
             picker.mark();
             picker.step(1);
-        }
-        // A file of the user is completed on the line.
-        KeyCode::Tab if picker.kind == PickerKind::Scenes => {
-            let typed = format!("open {}", &*picker.filter.text);
-            state.open_prompt(PromptKind::Command, typed);
-            super::complete(state, 1);
         }
         KeyCode::Enter => take(state),
         _ => {

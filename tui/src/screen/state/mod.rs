@@ -21,8 +21,8 @@ use assur_words::{Language, Text, number, text};
 use ratatui::layout::Rect;
 
 pub(crate) use crate::session::Source;
+pub(crate) use assur_figure::Zoom;
 pub(crate) use assur_figure::cells::Marker;
-pub(crate) use assur_figure::{Bounds, Zoom};
 pub(crate) use assur_picture::{
     Arrows, Compared, Found, Probe, Reaction, Series, Traces, ViewPart, coordinate_unit,
 };
@@ -250,17 +250,6 @@ impl State {
         } else {
             self.say(Role::Bad, text!("say-no-position", position = number(position), last = number(last)));
         }
-    }
-
-    /// The position nearest to a coordinate, rad or m.
-    pub(crate) fn nearest(&self, at: f64) -> usize {
-        let Some(scene) = &self.scene else { return 0 };
-        let input = &scene.linkage.mechanism.input;
-        let end = self.positions() - usize::from(!scene.is_cycle());
-        let distance = |number: &usize| (input.coordinate(*number) - at).abs();
-        let near = (0..=end).min_by(|one, other| distance(one).total_cmp(&distance(other)));
-        // The end of a cycle is its first position again.
-        near.unwrap_or(0) % self.positions()
     }
 
     /// The mode of a group that is looked at, by its index; only in the first position.

@@ -28,8 +28,6 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 use ratatui::style::Style;
 
-pub(crate) use advice::missing;
-
 use crate::screen::draw::{cut, paint, put};
 use crate::screen::state::{Role, State, View};
 

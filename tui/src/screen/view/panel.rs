@@ -4,8 +4,7 @@ use assur_analysis::results::{Column, Owner, Quantity};
 use assur_book::catalogue;
 use assur_figure::cells::cell_width;
 use assur_figure::{Figure, Ink};
-use assur_geometry::Curvature;
-use assur_mechanism::{Motion, Place};
+use assur_mechanism::Motion;
 use assur_picture::arrows;
 use assur_words::{self as words, Text, joined, quantity, text};
 use ratatui::buffer::Buffer;
@@ -13,7 +12,7 @@ use ratatui::layout::Rect;
 
 use crate::number::digits;
 use crate::screen::draw::{cells, put_lines, wrapped};
-use crate::screen::state::{Bounds, Probe, Role, Scene, State};
+use crate::screen::state::{Probe, Role, Scene, State};
 
 /// Longest shaft of an arrow of the legend, in columns.
 const SHAFT: f64 = 12.0;
@@ -82,26 +81,20 @@ fn input(state: &State, scene: &Scene) -> Vec<Text> {
 /// The moved point: its place on the link and in the plane, size and length of its path, radius of curvature.
 fn of_probe(state: &State, scene: &Scene, probe: &Probe) -> Vec<(Role, String)> {
     let Some(pose) = scene.pose(state.position, state.part_way()) else { return Vec::new() };
-    let linkage = &scene.linkage;
-    let motion = linkage.place_motion(Place { link: probe.link, at: probe.at }, &pose);
-    let path = probe.path(scene);
-    let [width, height] = Bounds::around(path.iter().copied()).size();
-    let pieces = path.windows(2).map(|two| (two[1][0] - two[0][0]).hypot(two[1][1] - two[0][1]));
-    let length: f64 = pieces.filter(|piece| piece.is_finite()).sum();
+    let found = probe.measured(scene, &pose);
+    let [width, height] = found.size;
     let mm = |value: f64, unit| quantity(digits(1e3 * value, 5), unit);
-    let curvature = Curvature::of(&motion, motion.pf1[0].hypot(motion.pf1[1]));
-    let radius = curvature.map(|found| found.curvature.abs()).filter(|curvature| *curvature > 0.0);
-    let radius = radius.map_or_else(|| text!("panel-infinite"), |curvature| mm(1.0 / curvature, "mm"));
+    let radius = found.radius.map_or_else(|| text!("panel-infinite"), |radius| mm(radius, "mm"));
     let separator = if state.language().code == "en" { ", " } else { "; " };
-    let [own, here] = [probe.at, motion.pf0].map(|[x, y]| joined(separator, [mm(x, ""), mm(y, "")]));
-    let (number, link) = (words::number(probe.link), &linkage.mechanism.links[probe.link].name);
+    let [own, here] = [probe.at, found.place].map(|[x, y]| joined(separator, [mm(x, ""), mm(y, "")]));
+    let (number, link) = (words::number(probe.link), &scene.linkage.mechanism.links[probe.link].name);
     let rows = [
         (1, text!("panel-in-frame")),
         (2, own),
         (1, text!("panel-in-plane")),
         (2, here),
         (1, text!("panel-path", width = mm(width, ""), height = mm(height, "mm"))),
-        (1, text!("panel-path-length", length = mm(length, "mm"))),
+        (1, text!("panel-path-length", length = mm(found.length, "mm"))),
         (1, text!("panel-radius")),
         (2, radius),
     ];
