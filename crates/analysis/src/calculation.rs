@@ -47,8 +47,10 @@ pub struct Calculation {
     pub no_motion: Option<AnalysisError>,
     /// Whether undetermined reactions are given as those of least norm.
     pub least_norm: bool,
-    /// Whether notes say where links run through infinity, which takes long to find.
+    /// Whether notes say where links run through infinity, which may take long to find; not unless a caller asks for it.
     pub tells_poles: bool,
+    /// Whether dry friction over the whole cycle is among the results; to be found it takes many positions more.
+    pub tells_friction_cycle: bool,
     /// Parts of the request that have no use in this scene.
     pub(crate) unused: Vec<Text>,
     /// The numbers of the positions, and of the samples of the motion, in which rounding is greatest, once all are calculated.
@@ -143,7 +145,8 @@ impl Calculation {
             motion,
             no_motion,
             least_norm,
-            tells_poles: true,
+            tells_poles: false,
+            tells_friction_cycle: true,
             unused,
             notable,
         })

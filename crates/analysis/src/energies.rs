@@ -159,7 +159,8 @@ impl Calculation {
         loads.frictions()?;
         let method =
             assur_force::choose(None, true, !self.linkage.structure.passive.is_empty()).ok()?.instance;
-        Some(Kinetostatics::new(&self.linkage, loads, method, &self.plan.groups_carrying))
+        let forces = Kinetostatics::new(&self.linkage, loads, method, &self.plan.groups_carrying);
+        Some(forces.without_certificates())
     }
 
     /// Moments of the drive and of the dry friction of all pairs on the input in a regime.

@@ -81,7 +81,7 @@ impl Calculation {
             dynamics: self.dynamics(),
             integration: self.integration(),
             no_motion: self.no_motion.as_ref().map(Describe::describe),
-            friction: self.friction_cycle(),
+            friction: self.tells_friction_cycle.then(|| self.friction_cycle()).flatten(),
             several: positions.several,
             warnings,
             checks: Vec::new(),

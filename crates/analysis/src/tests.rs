@@ -25,7 +25,9 @@ fn study(text: &str) -> Result<Calculation, AnalysisError> {
 }
 
 fn analyzed(text: &str) -> Analysis {
-    study(text).unwrap().analyze(&mut unwatched).unwrap()
+    let mut study = study(text).unwrap();
+    study.tells_poles = true;
+    study.analyze(&mut unwatched).unwrap()
 }
 
 /// A column that has a number in every row, by the name of what it belongs to.

@@ -81,7 +81,10 @@ impl Friction {
         let method = assur_force::choose(None, true, !linkage.structure.passive.is_empty())
             .ok()
             .map(|plugin| plugin.instance);
-        let out = Reactions { unit: None, ..Reactions::new(linkage).with_friction(loads, linkage) };
+        let mut out = Reactions { unit: None, ..Reactions::new(linkage).with_friction(loads, linkage) };
+        if let Some(friction) = &mut out.friction {
+            friction.are_certificates_wanted = false;
+        }
         let none = vec![Wrench::ZERO; linkage.structure.links];
         let found = FrictionMoment::default();
         Some(Self {
@@ -171,8 +174,8 @@ impl Friction {
         place.loads.inertia(&unit, &place.position.bodies, &mut self.inertia);
         let motion = FreeMotion { loads: &self.wrenches, inertia: &self.inertia, drive, drive_inertia };
         let method = self.method.ok_or_else(no_method)?;
-        let friction = method.friction(place.linkage, place.position, &self.out).ok_or_else(no_method)?;
-        let found = friction.accelerations(&motion).map_err(|error| MotionError::mechanism(&error))?;
+        let found = method.accelerations(place.linkage, place.position, &motion, &mut self.out);
+        let found = found.ok_or_else(no_method)?.map_err(|error| MotionError::mechanism(&error))?;
         Ok(found.solutions)
     }
 

@@ -63,6 +63,22 @@ pub trait ForceAnalyzer: std::fmt::Debug + Send + Sync {
         Ok(None)
     }
 
+    /// The accelerations that are possible with dry friction in the senses of `out`, whose other
+    /// numbers are overwritten; the position needs PF2. `None` for a method that does not support friction, and where all pairs are ideal.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Self::solve`], without [`ForceError::Jammed`]: where none is possible there is none among the solutions.
+    fn accelerations(
+        &self,
+        _linkage: &Linkage,
+        _position: &Position,
+        _motion: &FreeMotion<'_>,
+        _out: &mut Reactions,
+    ) -> Option<Result<Accelerations, ForceError>> {
+        None
+    }
+
     /// What the method finds of dry friction in the senses of `out` beyond the reactions; `None` for a method that does not support
     /// it, and where all pairs are ideal.
     fn friction<'a>(
@@ -89,13 +105,6 @@ pub trait FrictionAnalysis {
 
     /// How it is found, in solving order.
     fn iteration(&self, loads: &[Wrench<f64>]) -> Vec<FrictionIteration>;
-
-    /// The accelerations that are possible; the position needs PF2.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`ForceAnalyzer::solve`], without [`ForceError::Jammed`]: where none is possible there is none among the solutions.
-    fn accelerations(&self, motion: &FreeMotion<'_>) -> Result<Accelerations, ForceError>;
 }
 
 impl AnalyzerPlugin {

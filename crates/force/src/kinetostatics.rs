@@ -30,6 +30,15 @@ impl<'a> Kinetostatics<'a> {
         Self { linkage, loads, analyzer, wrenches, reactions }
     }
 
+    /// The same without the certificates of friction, which take time: they may be NaN.
+    #[must_use]
+    pub fn without_certificates(mut self) -> Self {
+        if let Some(friction) = &mut self.reactions.friction {
+            friction.are_certificates_wanted = false;
+        }
+        self
+    }
+
     /// Finds the reactions and the balancing load of a state; the position is solved up to PF2.
     #[inline]
     pub fn solve(&mut self, state: &LoadState, position: &Position) -> Result<(), ForceError> {
@@ -102,11 +111,15 @@ impl<'a> LaneKinetostatics<'a> {
     /// Memory as for one position at a time.
     pub fn new(single: Kinetostatics<'a>) -> Self {
         let linkage = single.linkage;
+        let mut reactions = Reactions::new(linkage)
+            .without_idle(&single.reactions.solved)
+            .with_friction(single.loads, linkage);
+        if let (Some(all), Some(one)) = (&mut reactions.friction, &single.reactions.friction) {
+            all.are_certificates_wanted = one.are_certificates_wanted;
+        }
         Self {
             wrenches: vec![Wrench::ZERO; linkage.structure.links],
-            reactions: Reactions::new(linkage)
-                .without_idle(&single.reactions.solved)
-                .with_friction(single.loads, linkage),
+            reactions,
             position: linkage.position(),
             single,
         }

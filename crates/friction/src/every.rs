@@ -20,8 +20,11 @@ const MOST: [usize; 4] = [8, 6, 4, 2];
 /// Most solutions that are followed from part to part: each of them may lead to several in the next.
 const MOST_POINTS: usize = 64;
 
-/// Places from which Newton's method looks for solutions where algebra does not give all of them.
-const TRIALS: u32 = 64;
+/// Places from which Newton's method looks for solutions where algebra does not give all of them: as many for so many unknowns, fewer
+/// for more, since a step takes the cube of their number.
+const TRIALS: usize = 64;
+const MANY: usize = 12;
+const FEWEST: usize = 4;
 
 /// Most steps of Newton's method from each of them: it converges in fewer or hardly ever.
 const STEPS: usize = 24;
@@ -123,9 +126,10 @@ impl Moduli {
     /// Adds the solutions to which Newton's method leads from magnitudes of many sizes.
     fn seek(&self, steps: &mut Steps<'_>, found: &mut Solutions) {
         let size = steps.size(&vec![0.0; self.count()]);
-        for trial in 0..TRIALS {
+        let trials = (TRIALS * MANY.pow(3) / self.count().max(1).pow(3)).clamp(FEWEST, TRIALS);
+        for trial in 0..trials {
             // Each magnitude has a sequence of its own: the fractions of the multiples of an irrational number.
-            let part = |j: usize| (f64::from(trial) * elementary::sin(1.0 + j as f64)).rem_euclid(1.0);
+            let part = |j: usize| (trial as f64 * elementary::sin(1.0 + j as f64)).rem_euclid(1.0);
             let start: Vec<f64> =
                 (0..self.count()).map(|j| size * elementary::powf(10.0, 4.0 * part(j) - 2.0)).collect();
             let is_new = |z: &[f64]| !found.points.iter().any(|known| is_same(known, z));

@@ -1,7 +1,6 @@
 //! Small dense matrices: a linear system, and the spectral radius of a nonnegative matrix.
 
-use assur_number::elementary;
-use assur_number::elimination::{factor, substitute};
+use assur_number::{Real, elementary};
 
 /// Number of squarings: the norm of a power 2^50 of a matrix is its spectral radius to that power but for a factor whose root
 /// is 1 to rounding.
@@ -58,6 +57,14 @@ fn by_vector(matrix: &[Vec<f64>], power: &[Vec<f64>]) -> Option<f64> {
 ///
 /// Needs neither irreducibility nor a single greatest eigenvalue. Infinite or NaN where an entry is.
 pub fn spectral_radius(matrix: &[Vec<f64>]) -> f64 {
+    f64::evaluate(
+        #[inline(always)]
+        || by_squaring(matrix),
+    )
+}
+
+#[inline(always)]
+fn by_squaring(matrix: &[Vec<f64>]) -> f64 {
     let n = matrix.len();
     let mut power = matrix.to_vec();
     // The logarithm of the factor that was taken out of the power, divided by the exponent of the power.
@@ -79,8 +86,13 @@ pub fn spectral_radius(matrix: &[Vec<f64>]) -> f64 {
         }
         logarithm += share * elementary::ln(greatest);
         power.iter_mut().flatten().for_each(|x| *x /= greatest);
-        let entry = |i: usize, j: usize| (0..n).map(|k| power[i][k] * power[k][j]).sum::<f64>();
-        power = (0..n).map(|i| (0..n).map(|j| entry(i, j)).collect()).collect();
+        let mut square = vec![vec![0.0; n]; n];
+        for (sums, row) in square.iter_mut().zip(&power) {
+            for (entry, others) in row.iter().zip(&power) {
+                sums.iter_mut().zip(others).for_each(|(sum, other)| *sum += entry * other);
+            }
+        }
+        power = square;
         share *= 0.5;
     }
     elementary::exp(logarithm)
@@ -89,20 +101,49 @@ pub fn spectral_radius(matrix: &[Vec<f64>]) -> f64 {
 /// Below this ratio of least to greatest pivot a matrix is singular: rounding alone gives as much.
 pub(crate) const SINGULAR: f64 = 1e-14;
 
-/// Solves `matrix x = right` in place: the matrix is given by rows, one after the other, and so are several right sides. `None` where
-/// it is singular.
+/// Solves `matrix x = right` in place by elimination with partial pivoting: the matrix is given by rows, one after the other, and so
+/// are several right sides. `None` where it is singular.
+#[inline(always)]
 pub(crate) fn solve(matrix: &mut [f64], rights: &mut [f64], n: usize) -> Option<()> {
     if n == 0 {
         return Some(());
     }
-    let mut order = vec![0; n];
-    if factor(matrix, &mut order).health < SINGULAR {
+    let (mut least, mut greatest) = (f64::INFINITY, 0.0_f64);
+    for k in 0..n {
+        let size = |row: usize| matrix[row * n + k].abs();
+        let best = (k..n).max_by(|&a, &b| size(a).total_cmp(&size(b)))?;
+        let (above, below) = matrix.split_at_mut((k + 1) * n);
+        let own = &mut above[k * n..];
+        if best > k {
+            own.swap_with_slice(&mut below[(best - k - 1) * n..(best - k) * n]);
+        }
+        rights.chunks_exact_mut(n).for_each(|right| right.swap(k, best));
+        let pivot = own[k];
+        least = least.min(pivot.abs());
+        greatest = greatest.max(pivot.abs());
+        if pivot == 0.0 || !pivot.is_finite() {
+            return None;
+        }
+        for (i, row) in below.chunks_exact_mut(n).enumerate() {
+            let factor = row[k] / pivot;
+            if factor == 0.0 {
+                continue;
+            }
+            row[k..].iter_mut().zip(&own[k..]).for_each(|(entry, own)| *entry -= factor * own);
+            for right in rights.chunks_exact_mut(n) {
+                right[k + 1 + i] -= factor * right[k];
+            }
+        }
+    }
+    if least < SINGULAR * greatest {
         return None;
     }
-    let mut right = vec![0.0; n];
-    for x in rights.chunks_exact_mut(n) {
-        right.copy_from_slice(x);
-        substitute(matrix, &order, &right, x);
+    for right in rights.chunks_exact_mut(n) {
+        for k in (0..n).rev() {
+            let row = &matrix[k * n..(k + 1) * n];
+            let known: f64 = row[k + 1..].iter().zip(&right[k + 1..]).map(|(entry, x)| entry * x).sum();
+            right[k] = (right[k] - known) / row[k];
+        }
     }
-    rights.iter().all(|x| x.is_finite()).then_some(())
+    Some(())
 }

@@ -1,8 +1,10 @@
 //! The textbook iteration and Newton's method on equations in magnitudes, in memory that their steps share.
 
+use assur_number::Real;
 use assur_number::elimination::factor;
 
 use crate::Moduli;
+use crate::every::distance;
 use crate::matrix::{is_contraction, solve};
 use crate::moduli::length;
 
@@ -20,6 +22,9 @@ const STILL: f64 = 1e-3;
 
 /// A solution goes on a path where its magnitudes are as expected but for this part of them.
 const NEAR: f64 = 0.02;
+
+/// On a path Newton's method is given up where it leaves what is expected by this part of the greatest term.
+const ASTRAY: f64 = 0.2;
 
 impl Moduli {
     /// The solution where the [certificate](Self::certificate) is below 1, which is often known before it is.
@@ -52,7 +57,9 @@ impl Moduli {
     /// group by group.
     pub fn near(&self, expected: &[f64]) -> Option<Vec<f64>> {
         let mut steps = Steps::new(self);
-        let found = steps.newton(expected)?;
+        let reach = ASTRAY * steps.size(expected);
+        // Away from what is expected it may wander for long.
+        let found = steps.newton_within(MOST_NEWTON, expected, |z| distance(z, expected) <= reach)?;
         let goes_on = |part: &Vec<usize>| {
             let size = part.iter().fold(0.0_f64, |most, j| most.max(found[*j]));
             let is_near = |j: &usize| (found[*j] - expected[*j]).abs() <= NEAR * size;
@@ -104,6 +111,7 @@ impl<'a> Steps<'a> {
     }
 
     /// Looks at some magnitudes; the greatest difference of a magnitude and the length of its vector.
+    #[inline(always)]
     fn look(&mut self, z: &[f64]) -> f64 {
         let mut off = 0.0_f64;
         for (j, z_j) in z.iter().enumerate() {
@@ -115,6 +123,7 @@ impl<'a> Steps<'a> {
     }
 
     /// As [`Moduli::residual`].
+    #[inline(always)]
     pub(crate) fn residual(&mut self, z: &[f64]) -> f64 {
         let off = self.look(z);
         if off == 0.0 { 0.0 } else { off / self.size(z) }
@@ -147,6 +156,19 @@ impl<'a> Steps<'a> {
 
     /// Newton's method with at most so many steps, as long as it leads on: not where it comes to what is known.
     pub(crate) fn newton_within(
+        &mut self,
+        most: usize,
+        start: &[f64],
+        leads_on: impl Fn(&[f64]) -> bool,
+    ) -> Option<Vec<f64>> {
+        f64::evaluate(
+            #[inline(always)]
+            move || self.newton_steps(most, start, leads_on),
+        )
+    }
+
+    #[inline(always)]
+    fn newton_steps(
         &mut self,
         most: usize,
         start: &[f64],
@@ -208,6 +230,7 @@ impl<'a> Steps<'a> {
     }
 
     /// Writes the correction of Newton's method at the magnitudes that were looked at last; `None` where the derivative is singular.
+    #[inline(always)]
     fn change(&mut self, z: &[f64]) -> Option<()> {
         self.derive();
         let off = z.iter().zip(&self.lengths).map(|(z, length)| z - length);
@@ -216,6 +239,7 @@ impl<'a> Steps<'a> {
     }
 
     /// Writes the derivative of z - |a + W z| by z at the magnitudes that were looked at last.
+    #[inline(always)]
     fn derive(&mut self) {
         let n = self.lengths.len();
         for (j, row) in self.matrix.chunks_exact_mut(n.max(1)).enumerate() {

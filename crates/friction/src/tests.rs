@@ -254,12 +254,12 @@ fn solve(system: &Unique<f64, MOST>) -> Option<(f64, Vec<f64>)> {
         sum.constant.iter().chain(sum.slopes.iter().flatten()).all(|part| *part == 0.0)
     };
     if system.0[1..].iter().all(is_empty) {
-        return first::<1>(system).solve().map(|(radius, z)| (radius, z.to_vec()));
+        return first::<1>(system).solve(true).and_then(|(radius, z)| Some((radius?, z.to_vec())));
     }
     if system.0[3..].iter().all(is_empty) {
-        return first::<3>(system).solve().map(|(radius, z)| (radius, z.to_vec()));
+        return first::<3>(system).solve(true).and_then(|(radius, z)| Some((radius?, z.to_vec())));
     }
-    system.solve().map(|(radius, z)| (radius, z.to_vec()))
+    system.solve(true).and_then(|(radius, z)| Some((radius?, z.to_vec())))
 }
 
 #[test]
@@ -331,7 +331,7 @@ fn one_modulus_keeps_its_digits_next_to_jamming_where_it_does_not_grow() {
     for left in [0.5, 1e-3, 1e-6, 1e-9, 1e-12] {
         let w: f64 = 1.0 - left;
         let sum = Sum { is_vector: true, constant: [-3.0, 0.0], slopes: [[w, 0.0]] };
-        let (_, [z]) = Unique([sum]).solve().unwrap();
+        let (_, [z]) = Unique([sum]).solve(true).unwrap();
         assert!((z * (1.0 + w) / 3.0 - 1.0).abs() < 4.0 * f64::EPSILON, "{left}: {z}");
     }
 }

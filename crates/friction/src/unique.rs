@@ -22,6 +22,9 @@ const ROUNDING: f64 = 0.25 * f64::EPSILON;
 /// Number of products of the matrix with a vector of ones, for a bound of its spectral radius.
 const POWERS: usize = 3;
 
+/// Images of a vector by which a matrix may be seen to be a contraction.
+const IMAGES: usize = 4;
+
 /// Least slope of the characteristic polynomial at its greatest root, by the square of the root: below it others are too near.
 pub(crate) const SLOPE: f64 = 1e-3;
 
@@ -59,31 +62,32 @@ impl<T: Real, const N: usize> Sum<T, N> {
 }
 
 impl<T: Real, const N: usize> Unique<T, N> {
-    /// The certificate, and the unknowns where it proves one solution; `None` where a lane needs a more careful method.
+    /// The unknowns where there is certainly one solution, and the certificate, which may be left out where it is not asked for;
+    /// `None` where a lane needs a more careful method.
     ///
     /// To be called within [`Real::evaluate`].
     #[inline(always)]
-    pub fn solve(&self) -> Option<(T, [T; N])> {
-        let radius = self.certificate()?;
-        let proved = (T::ONE - radius).exceeds(0.0);
-        proved.then(|| self.solution())?.map(|z| (radius, z))
+    pub fn solve(&self, is_certificate_wanted: bool) -> Option<(Option<T>, [T; N])> {
+        let lengths = self.lengths();
+        let certificate = if is_certificate_wanted || !is_contraction(&lengths) {
+            let radius = certificate(&lengths)?;
+            (T::ONE - radius).exceeds(0.0).then_some(Some(radius))?
+        } else {
+            None
+        };
+        self.solution().map(|z| (certificate, z))
     }
 
-    /// The spectral radius of the sums of lengths: below 1 there is exactly one solution. `None` where few steps do not find it in
-    /// every lane.
+    /// The sums of lengths: where their spectral radius, the certificate, is below 1 there is exactly one solution.
     #[inline(always)]
-    fn certificate(&self) -> Option<T> {
+    fn lengths(&self) -> Matrix<T, N> {
         let mut lengths = [[T::ZERO; N]; N];
         for (row, sum) in lengths.iter_mut().zip(&self.0) {
             for (length, slope) in row.iter_mut().zip(&sum.slopes) {
                 *length = sum.size(*slope);
             }
         }
-        match N {
-            1 => Some(lengths[0][0]),
-            3 => greatest_root(&lengths).or_else(|| by_powers(&lengths)),
-            _ => by_powers(&lengths),
-        }
+        lengths
     }
 
     /// The solution, where the certificate is below 1.
@@ -198,6 +202,31 @@ fn by_determinants<T: Real, const N: usize>(matrix: &Matrix<T, N>, right: &[T; N
     }
     let inverse = T::ONE / determinant;
     sum.map(|sum| sum * inverse)
+}
+
+/// Whether a positive vector shows that the spectral radius of a nonnegative matrix is below 1: its image is less in every
+/// component (Collatz and Wielandt).
+#[inline(always)]
+fn is_contraction<T: Real, const N: usize>(matrix: &Matrix<T, N>) -> bool {
+    let mut vector = [T::ONE; N];
+    for _ in 0..IMAGES {
+        let image = matrix.map(|row| row.iter().zip(&vector).fold(T::ZERO, |sum, (a, x)| sum + *a * *x));
+        if vector.iter().zip(&image).all(|(x, y)| (*x - *y).exceeds(0.0)) {
+            return true;
+        }
+        vector.iter_mut().zip(image).for_each(|(x, y)| *x += y);
+    }
+    false
+}
+
+/// The spectral radius of a nonnegative matrix; `None` where few steps do not find it in every lane.
+#[inline(always)]
+fn certificate<T: Real, const N: usize>(matrix: &Matrix<T, N>) -> Option<T> {
+    match N {
+        1 => Some(matrix[0][0]),
+        3 => greatest_root(matrix).or_else(|| by_powers(matrix)),
+        _ => by_powers(matrix),
+    }
 }
 
 /// The magnitude of one vector, z = |a + w z|, where w is shorter than 1: (a w + s)/(1 - w w), or a a/(s - a w) where that cancels less.

@@ -43,11 +43,12 @@ pub struct Found {
 impl Found {
     /// Calculates what a scene requests, and gathers its series; `linkage`: that of the calculation, with all groups.
     pub fn of(
-        calculation: Calculation,
+        mut calculation: Calculation,
         linkage: Arc<Linkage>,
         options: &Options,
         watch: &mut Watch<'_>,
     ) -> Result<Self, AnalysisError> {
+        calculation.tells_poles = true;
         let mut analysis = calculation.analyze(watch)?;
         let analyzer = calculation.analyzer.map_or("", |plugin| plugin.name).to_owned();
         let edges = calculation.edges(&analysis.positions);

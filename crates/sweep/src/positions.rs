@@ -56,7 +56,8 @@ impl<'a> Positions<'a> {
         let (linkage, carrying) = (&calculation.linkage, &calculation.plan.groups_carrying);
         let forces = match (&calculation.loads, calculation.analyzer) {
             (Some(loads), Some(analyzer)) if calculation.positions_have_forces() => {
-                Some(LaneKinetostatics::new(Kinetostatics::new(linkage, loads, analyzer.instance, carrying)))
+                let forces = Kinetostatics::new(linkage, loads, analyzer.instance, carrying);
+                Some(LaneKinetostatics::new(forces.without_certificates()))
             }
             _ => None,
         };

@@ -16,9 +16,15 @@ const ROUNDS: usize = 2001;
 const POSITIONS: usize = 64;
 
 /// Seconds for a position, one by one or in lanes, each time it is called.
-fn timed<'a>(linkage: &'a Linkage, loads: &'a Loads, method: &str, lanes: bool) -> impl FnMut() -> f64 {
+fn timed<'a>(
+    linkage: &'a Linkage,
+    loads: &'a Loads,
+    (method, certificates): (&str, bool),
+    lanes: bool,
+) -> impl FnMut() -> f64 {
     let carrying = vec![true; linkage.groups().len()];
-    let mut single = Kinetostatics::new(linkage, loads, find(method).unwrap().instance, &carrying);
+    let single = Kinetostatics::new(linkage, loads, find(method).unwrap().instance, &carrying);
+    let mut single = if certificates { single } else { single.without_certificates() };
     let mut eight = LaneKinetostatics::new(single.clone());
     let (mut position, mut together) = (linkage.position(), linkage.lane_position());
     let coordinate = |index: usize| (index * 37 % POSITIONS) as f64 * 0.098;
@@ -51,18 +57,24 @@ fn main() {
     let ideal = Linkage::compile(mechanism).unwrap();
     let [rubbing, smooth] = [&with_friction, &ideal].map(|linkage| Loads::compile(linkage).unwrap());
     for lanes in [false, true] {
-        let mut without = timed(&ideal, &smooth, "groups", lanes);
-        let mut with = timed(&with_friction, &rubbing, "coulomb", lanes);
-        let mut times = [Vec::new(), Vec::new()];
+        let mut without = timed(&ideal, &smooth, ("groups", false), lanes);
+        let mut with = [false, true]
+            .map(|certificates| timed(&with_friction, &rubbing, ("coulomb", certificates), lanes));
+        let mut times = [Vec::new(), Vec::new(), Vec::new()];
         for _ in 0..ROUNDS {
             times[0].push(without());
-            times[1].push(with());
+            times[1].push(with[0]());
+            times[2].push(with[1]());
         }
-        let [without, with] = times.map(|mut all| {
+        let [without, with, certified] = times.map(|mut all| {
             all.sort_by(f64::total_cmp);
             all[ROUNDS / 2] * 1e9
         });
         let how = if lanes { "eight at once" } else { "one by one" };
-        println!("{how}: {without:.0} ns without friction, {with:.0} ns with, {:.2} times", with / without);
+        println!(
+            "{how}: {without:.0} ns without friction, {with:.0} ns with, {:.2} times; {certified:.0} ns with certificates, {:.2} times",
+            with / without,
+            certified / without
+        );
     }
 }

@@ -278,11 +278,19 @@ fn followed(chain: &Chain<'_>, loads: &[Wrench<f64>], found: &Solutions) -> Opti
 
 /// The upper end of the interval from 0 of the parts of the coefficients for which there is a solution.
 pub(crate) fn limit(chain: &Chain<'_>, loads: &[Wrench<f64>]) -> f64 {
-    let exists = |part: f64| chain.solutions(loads, part).is_ok_and(|found| !found.branches.is_empty());
     let whole = chain.solutions(loads, 1.0).ok();
-    let (mut holding, mut failing) = match whole.and_then(|found| start(chain, loads, &found)) {
+    let mut last = whole.and_then(|found| start(chain, loads, &found));
+    let (mut holding, mut failing) = match &last {
         Some(node) if node.part > START => (node.part, (node.part * RATIO).min(1.0)),
         _ => (0.0, START),
+    };
+    // A solution is mostly near the last one that was followed to; elsewhere it is looked for.
+    let mut exists = |part: f64| {
+        if let Some(moduli) = last.as_ref().and_then(|last| chain.near(loads, part, &last.moduli)) {
+            last = Some(PathPoint { part, moduli });
+            return true;
+        }
+        chain.solutions(loads, part).is_ok_and(|found| !found.branches.is_empty())
     };
     while failing < 1.0 && exists(failing) {
         (holding, failing) = (failing, (failing * RATIO).min(1.0));

@@ -57,8 +57,8 @@ impl<'a> Chain<'a> {
     }
 
     /// The chain in a motion whose acceleration is looked for: the drive balances it.
-    pub(crate) fn moved_by<'b>(&'b self, motion: &'b FreeMotion<'b>) -> Chain<'b> {
-        Chain { unit: None, free: Some(motion), ..*self }
+    pub(crate) fn moved_by(self, motion: &'a FreeMotion<'a>) -> Self {
+        Self { unit: None, free: Some(motion), ..self }
     }
 
     /// Which of several solutions belongs to the motion, by their balancing loads; `None` where no drive on the input made it.

@@ -17,6 +17,7 @@
 
 mod branches;
 mod chain;
+mod motion;
 mod quick;
 
 use assur_force::{
@@ -112,6 +113,24 @@ impl ForceAnalyzer for Friction {
         group_by_group(linkage, groups, bodies, loads, out, AssurGroup::reactions).is_ok()
     }
 
+    fn accelerations(
+        &self,
+        linkage: &Linkage,
+        position: &Position,
+        motion: &FreeMotion<'_>,
+        out: &mut Reactions,
+    ) -> Option<Result<Accelerations, ForceError>> {
+        let (groups, bodies) = (linkage.groups(), &position.bodies[..]);
+        if let Some(only) = (Quick { linkage, groups, bodies }).accelerated(motion, out) {
+            return Some(Ok(Accelerations { solutions: vec![only], proved: true }));
+        }
+        let chain = Chain::of(linkage, position, out)?.moved_by(motion);
+        Some(chain.solutions(motion.loads, 1.0).map(|found| Accelerations {
+            solutions: found.branches.iter().map(|branch| chain.told(branch, false)).collect(),
+            proved: found.proved,
+        }))
+    }
+
     fn friction<'a>(
         &self,
         linkage: &'a Linkage,
@@ -129,13 +148,6 @@ impl FrictionAnalysis for Chain<'_> {
 
     fn iteration(&self, loads: &[Wrench<f64>]) -> Vec<FrictionIteration> {
         self.iterations(loads).unwrap_or_default()
-    }
-
-    fn accelerations(&self, motion: &FreeMotion<'_>) -> Result<Accelerations, ForceError> {
-        let chain = self.moved_by(motion);
-        let found = chain.solutions(motion.loads, 1.0)?;
-        let solutions = found.branches.iter().map(|branch| chain.told(branch, false)).collect();
-        Ok(Accelerations { solutions, proved: found.proved })
     }
 }
 

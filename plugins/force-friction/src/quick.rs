@@ -24,8 +24,13 @@ pub(crate) struct Quick<'a, T: Real> {
 type Pressing<T> = [T; 3];
 
 /// Response matrix of the pressing forces in each of N bearings. Its C = 1 + 2 N columns are the ideal load, a unit friction
-/// magnitude in each bearing, and a unit normal force in each bearing whose friction has a moment.
-struct Table<T, const N: usize, const C: usize>([[Pressing<T>; C]; N]);
+/// magnitude in each bearing, and a unit normal force in each bearing whose friction has a moment; one column more are the inertia
+/// loads of a motion whose acceleration is looked for.
+pub(crate) struct Table<T, const N: usize, const C: usize> {
+    rows: [[Pressing<T>; C]; N],
+    /// Loads of the drive, where the input link is one of the stages.
+    pub(crate) drives: [T; C],
+}
 
 /// A bearing, with the first of what its friction depends on, and its sense times its coefficient.
 #[derive(Clone, Copy)]
@@ -38,7 +43,7 @@ struct Rubbing<'a, T> {
 }
 
 /// The bearings of a block, at most N.
-struct Bearings<'a, T, const N: usize> {
+pub(crate) struct Bearings<'a, T, const N: usize> {
     count: usize,
     all: [Rubbing<'a, T>; N],
 }
@@ -46,7 +51,7 @@ struct Bearings<'a, T, const N: usize> {
 impl<'a, T: Real, const N: usize> Bearings<'a, T, N> {
     /// `None` of a block without friction.
     #[inline(always)]
-    fn of(frictions: &'a Frictions, senses: &[T], block: &Block) -> Option<Self> {
+    pub(crate) fn of(frictions: &'a Frictions, senses: &[T], block: &Block) -> Option<Self> {
         let read = |unknown: usize| {
             let unknown = &frictions.unknowns[unknown];
             let bearing = &frictions.bearings[unknown.bearing];
@@ -101,9 +106,9 @@ impl<T: Number> Quick<'_, T> {
             let [stage] = block.stages[..] else { return None };
             match block.firsts.len() {
                 0 => {}
-                1 => self.block::<1, 3>(&frictions, block, stage, loads, out)?,
-                2..=3 => self.block::<3, 7>(&frictions, block, stage, loads, out)?,
-                4..=6 => self.block::<6, 13>(&frictions, block, stage, loads, out)?,
+                1 => self.block::<1, 3>(&frictions, block, loads, out)?,
+                2..=3 => self.block::<3, 7>(&frictions, block, loads, out)?,
+                4..=6 => self.block::<6, 13>(&frictions, block, loads, out)?,
                 _ => return None,
             }
             let drive = self.respond(stage, &out.solved, loads, &mut out.pairs)?;
@@ -116,7 +121,7 @@ impl<T: Number> Quick<'_, T> {
 
     /// Finds the reactions of a stage; the load of the drive where it is the input link.
     #[inline(always)]
-    fn respond(
+    pub(crate) fn respond(
         &self,
         stage: usize,
         solved: &[bool],
@@ -141,54 +146,70 @@ impl<T: Number> Quick<'_, T> {
         stage.checked_sub(1).map_or(input, |group| &self.linkage.structure.groups[group].frame.links)
     }
 
-    /// Solves a block of one stage and adds its friction to the loads.
+    /// Solves the friction of a block and adds it to the loads.
     #[inline(always)]
     fn block<const N: usize, const C: usize>(
         &self,
         frictions: &Frictions,
         block: &Block,
-        stage: usize,
         loads: &mut [Wrench<T>],
         out: &mut Reactions<T>,
     ) -> Option<()> {
         let bearings = Bearings::of(frictions, &out.friction.as_ref()?.senses, block)?;
-        let mut table: Table<T, N, C> = self.table(&bearings, stage, loads, out)?;
+        let mut table: Table<T, N, C> = self.table(&bearings, &block.stages, [loads, &[]], out)?;
         table.without_normals(&bearings)?;
-        let (radius, sums) = table.equations(&bearings).solve()?;
-        let FrictionForces { forces, certificates, .. } = out.friction.as_mut()?;
-        if let Some(group) = stage.checked_sub(1) {
-            certificates[group] = radius;
+        let FrictionForces { forces, certificates, are_certificates_wanted, .. } = out.friction.as_mut()?;
+        let (radius, sums) = table.equations(&bearings).solve(*are_certificates_wanted)?;
+        for group in block.groups() {
+            certificates[group] = radius.unwrap_or(T::from_f64(f64::NAN));
         }
-        for ((one, z), row) in bearings.each().iter().zip(sums).zip(&table.0) {
-            forces[one.unknown.bearing] =
-                one.factor * T::from_f64(one.unknown.share(one.bearing)) * z + T::ZERO;
-            one.load(false, z, self.bodies, loads);
-            if one.is_shifted {
-                let normal = row[1..=N].iter().zip(sums).fold(row[0][2], |sum, (by, z)| sum + by[2] * z);
-                one.load(true, normal, self.bodies, loads);
-            }
-        }
+        self.rub(&bearings, &table, &sums, forces, loads);
         Some(())
     }
 
-    /// The response of the stage of a block to its loads and to the friction of each unknown.
+    /// Writes the friction of bearings from the sums of their magnitudes, and adds it to the loads.
     #[inline(always)]
-    fn table<const N: usize, const C: usize>(
+    pub(crate) fn rub<const N: usize, const C: usize>(
         &self,
         bearings: &Bearings<'_, T, N>,
-        stage: usize,
-        loads: &[Wrench<T>],
+        table: &Table<T, N, C>,
+        sums: &[T; N],
+        forces: &mut [T],
+        loads: &mut [Wrench<T>],
+    ) {
+        for ((one, z), row) in bearings.each().iter().zip(sums).zip(&table.rows) {
+            forces[one.unknown.bearing] =
+                one.factor * T::from_f64(one.unknown.share(one.bearing)) * *z + T::ZERO;
+            one.load(false, *z, self.bodies, loads);
+            if one.is_shifted {
+                let normal = row[1..=N].iter().zip(sums).fold(row[0][2], |sum, (by, z)| sum + by[2] * *z);
+                one.load(true, normal, self.bodies, loads);
+            }
+        }
+    }
+
+    /// The response of stages to their loads, to the friction of each unknown, and to inertia loads (none where these are empty).
+    #[inline(always)]
+    pub(crate) fn table<const N: usize, const C: usize>(
+        &self,
+        bearings: &Bearings<'_, T, N>,
+        stages: &[usize],
+        [loads, inertia]: [&[Wrench<T>]; 2],
         out: &mut Reactions<T>,
     ) -> Option<Table<T, N, C>> {
         let Reactions { pairs, solved, scratch_pairs, scratch_bodies, .. } = out;
         let (links, count) = (loads.len(), pairs.len());
-        let sets = 1 + bearings.count + bearings.shifted().count();
+        let shifted = bearings.shifted().count();
+        let sets = 1 + bearings.count + shifted + usize::from(!inertia.is_empty());
         scratch_bodies.resize(scratch_bodies.len().max(sets * links), Wrench::ZERO);
         scratch_pairs.resize(scratch_pairs.len().max(sets * count), Wrench::ZERO);
         let (own, found) = (&mut scratch_bodies[..sets * links], &mut scratch_pairs[..sets * count]);
         // A stage reads the loads of its own links only; a joint may have reactions that are known before.
-        for link in self.links(stage) {
+        for link in stages.iter().flat_map(|stage| self.links(*stage)) {
             own.iter_mut().skip(*link).step_by(links).for_each(|load| *load = Wrench::ZERO);
+            if let Some(load) = inertia.get(*link) {
+                own[(sets - 1) * links + *link] = *load;
+            }
             own[*link] = loads[*link];
         }
         for &(pair, _) in bearings.each().iter().flat_map(|one| &one.unknown.pairs) {
@@ -201,24 +222,37 @@ impl<T: Number> Quick<'_, T> {
                 one.load(is_normal, T::ONE, self.bodies, each.next()?);
             }
         }
-        match stage.checked_sub(1) {
-            Some(group) if !solved[group] => {}
-            Some(group) => self.groups[group].reactions_under(self.bodies, own, found, sets).ok()?,
-            None => {
-                for (own, found) in own.chunks_exact_mut(links).zip(found.chunks_exact_mut(count)) {
-                    self.respond(stage, solved, own, found)?;
+        // The normal forces have their columns behind those of all sums.
+        let columns = || (0..=bearings.count).chain(1 + N..);
+        let last = if inertia.is_empty() { sets } else { sets - 1 };
+        let mut table = Table { rows: [[[T::ZERO; 3]; C]; N], drives: [T::ZERO; C] };
+        for &stage in stages {
+            match stage.checked_sub(1) {
+                Some(group) if !solved[group] => {}
+                Some(group) => self.groups[group].reactions_under(self.bodies, own, found, sets).ok()?,
+                None => {
+                    let mut each = own.chunks_exact_mut(links).zip(found.chunks_exact_mut(count));
+                    for (column, (own, found)) in columns().zip(each.by_ref().take(last)) {
+                        table.drives[column] = self.respond(stage, solved, own, found)?;
+                    }
+                    if let Some((own, found)) = each.next() {
+                        table.drives[C - 1] = self.respond(stage, solved, own, found)?;
+                    }
                 }
             }
         }
-        let mut table = Table([[[T::ZERO; 3]; C]; N]);
-        for (row, one) in table.0.iter_mut().zip(bearings.each()) {
+        for (row, one) in table.rows.iter_mut().zip(bearings.each()) {
             let pressing = one.unknown.pressing(one.bearing, self.bodies);
-            let mut each = found.chunks_exact(count);
-            // The normal forces have their columns behind those of all sums.
-            let columns = (0..=bearings.count).chain(1 + N..);
-            for (column, found) in columns.zip(&mut each) {
+            let press = |found: &[Wrench<T>]| {
                 let ([one, other], normal) = pressing.of(&one.unknown.load_on(found));
-                row[column] = [one, other, normal];
+                [one, other, normal]
+            };
+            let mut each = found.chunks_exact(count);
+            for (column, found) in columns().zip(each.by_ref().take(last)) {
+                row[column] = press(found);
+            }
+            if let Some(found) = each.next() {
+                row[C - 1] = press(found);
             }
         }
         Some(table)
@@ -226,7 +260,7 @@ impl<T: Number> Quick<'_, T> {
 
     /// Adds friction to the reactions in its pairs.
     #[inline(always)]
-    fn tell(&self, friction: &FrictionForces<T>, pairs: &mut [Wrench<T>]) {
+    pub(crate) fn tell(&self, friction: &FrictionForces<T>, pairs: &mut [Wrench<T>]) {
         let FrictionForces { frictions, senses, forces, .. } = friction;
         for unknown in frictions.unknowns.iter().filter(|unknown| unknown.kind == UnknownKind::Shift) {
             let bearing = &frictions.bearings[unknown.bearing];
@@ -253,18 +287,47 @@ impl<T: Number> Quick<'_, T> {
 }
 
 impl<T: Real, const N: usize, const C: usize> Table<T, N, C> {
+    /// Adds to each response that of the inertia loads of the acceleration with which the drive gives what is known of it: the
+    /// accelerations replace the loads of the drive. `None` where there is no inertia.
+    #[inline(always)]
+    pub(crate) fn accelerate(&mut self, drive: T, drive_inertia: T) -> Option<()> {
+        let inertia = self.drives[C - 1] + drive_inertia;
+        let of_unit = self.rows.map(|row| row[C - 1]);
+        for column in 0..C - 1 {
+            // The base moves under the drive, what friction adds without it.
+            let given = if column == 0 { drive } else { T::ZERO };
+            let acceleration = (given - self.drives[column]) / inertia;
+            self.drives[column] = acceleration;
+            for (row, by) in self.rows.iter_mut().zip(&of_unit) {
+                row[column].iter_mut().zip(by).for_each(|(entry, by)| *entry += *by * acceleration);
+            }
+        }
+        inertia.abs().exceeds(0.0).then_some(())
+    }
+
+    /// The load of the drive, or the acceleration, with these sums of magnitudes.
+    #[inline(always)]
+    pub(crate) fn drive(&self, sums: &[T; N]) -> T {
+        self.drives[1..=N].iter().zip(sums).fold(self.drives[0], |sum, (by, z)| sum + *by * *z)
+    }
+
     /// Expresses the normal forces by the sums of magnitudes; `None` where these determine none.
     #[inline(always)]
-    fn without_normals(&mut self, bearings: &Bearings<'_, T, N>) -> Option<()> {
+    pub(crate) fn without_normals(&mut self, bearings: &Bearings<'_, T, N>) -> Option<()> {
         for (nth, own) in bearings.shifted().enumerate() {
             let column = 1 + N + nth;
-            let left = T::ONE - self.0[own][column][2];
+            let left = T::ONE - self.rows[own][column][2];
             if !left.abs().at_least(SINGULAR) {
                 return None;
             }
             let inverse = T::ONE / left;
-            let gains: [T; C] = std::array::from_fn(|c| self.0[own][c][2] * inverse);
-            for row in &mut self.0 {
+            let gains: [T; C] = std::array::from_fn(|c| self.rows[own][c][2] * inverse);
+            if C > 1 + 2 * N {
+                let by = std::mem::replace(&mut self.drives[column], T::ZERO);
+                self.drives.iter_mut().zip(gains).for_each(|(drive, gain)| *drive += by * gain);
+                self.drives[column] = T::ZERO;
+            }
+            for row in &mut self.rows {
                 let by = row[column];
                 row[column] = [T::ZERO; 3];
                 for (c, (entry, gain)) in row.iter_mut().zip(gains).enumerate() {
@@ -279,9 +342,9 @@ impl<T: Real, const N: usize, const C: usize> Table<T, N, C> {
 
     /// The equations of the sums of magnitudes.
     #[inline(always)]
-    fn equations(&self, bearings: &Bearings<'_, T, N>) -> Unique<T, N> {
+    pub(crate) fn equations(&self, bearings: &Bearings<'_, T, N>) -> Unique<T, N> {
         let mut equations = [Sum::NONE; N];
-        for ((sum, row), one) in equations.iter_mut().zip(&self.0).zip(bearings.each()) {
+        for ((sum, row), one) in equations.iter_mut().zip(&self.rows).zip(bearings.each()) {
             sum.is_vector = !one.bearing.slides();
             sum.constant = [row[0][0], row[0][1]];
             for (slope, by) in sum.slopes.iter_mut().zip(&row[1..]) {

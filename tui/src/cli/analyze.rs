@@ -25,6 +25,7 @@ pub(crate) fn run(args: &AnalyzeArgs, style: Style) -> Result<Status, Fault> {
     let session = scene::open(&scene.scene, style)?;
     let mut study = scene::calculation(&session, &options, style)?;
     study.tells_poles = matches!(form, Form::Text | Form::Json);
+    study.tells_friction_cycle = study.tells_poles;
     args.plans.refuse(args.format, &study)?;
     let line = ProgressLine::new(style.language);
     let mut analysis = study.analyze(&mut line.watch()).map_err(Fault::told)?;
@@ -69,7 +70,7 @@ pub(crate) fn check(args: &CheckedArgs, style: Style) -> Result<Status, Fault> {
     let options = args.options(true)?;
     let session = scene::open(&args.scene.scene, style)?;
     let mut study = scene::calculation(&session, &options, style)?;
-    study.tells_poles = false;
+    study.tells_friction_cycle = false;
     let line = ProgressLine::new(style.language);
     let mut analysis = study.analyze(&mut line.watch()).map_err(Fault::told)?;
     let checks = study.checks(args.checks.into(), &mut line.watch()).map_err(Fault::told)?;

@@ -47,7 +47,10 @@ pub struct FrictionForces<T = f64> {
     /// For each bearing, the moment (N m, counter-clockwise) on the link that turns, or the force (N, along the guide) on the
     /// link that slides.
     pub forces: Vec<T>,
-    /// For each group, the spectral radius of its friction: below 1 there is exactly one solution. NaN without friction.
+    /// Whether the certificates are looked for; without them a bound suffices to see that there is one solution. Given to the method.
+    pub are_certificates_wanted: bool,
+    /// For each group, the spectral radius of its friction: below 1 there is exactly one solution. NaN without friction, and it may
+    /// be NaN where it is not wanted.
     pub certificates: Vec<T>,
     /// What is said of the positions (lanes) that have several solutions, or that may have others.
     pub doubts: Vec<(usize, Doubt)>,
@@ -123,6 +126,7 @@ impl<T: Real> FrictionForces<T> {
             senses: vec![T::ZERO; bearings],
             drive: None,
             forces: vec![T::ZERO; bearings],
+            are_certificates_wanted: true,
             certificates: vec![T::from_f64(f64::NAN); linkage.groups().len()],
             doubts: Vec::new(),
             loads: Vec::new(),
