@@ -33,6 +33,15 @@ const ANSWERS: &[(&str, Answer)] = &[
         Numbers(|found| nothing_drives(found) && is(&found["trajectory"][0]["acceleration"], 198.0, 1e-9)),
     ),
     ("brake-formula-turn", Numbers(nothing_drives)),
+    (
+        "brake-and-friction-at-rest",
+        Numbers(|found| {
+            let rests = &found["trajectory"][99];
+            rests["speed"] == 0.0
+                && rests["balancing"].is_null()
+                && rests["reactions"]["A"]["crank"].is_null()
+        }),
+    ),
     ("brake-rod-friction", Numbers(nothing_drives)),
     ("change-point-in-part-of-a-turn", Numbers(central_slider)),
     ("check-jump-mm", Numbers(any)),
@@ -162,6 +171,8 @@ const ANSWERS: &[(&str, Answer)] = &[
     ("switch-driven-back", Message(&["`sign` (character 7 ", "driven back", "w = 12.0827"])),
     // 8 rad/s² to rest after 1/8 s, and 32 rad/s² in the last 1/16 s.
     ("switch-friction-by-formula", Numbers(|found| ends_at(found, [0.125, 2.0]))),
+    // By an independent computation, Runge-Kutta of order 4 with steps that end at each change.
+    ("switch-regime", Numbers(|found| is(&found["dynamics"]["torque"], 4.457_351_444, 1e-7))),
     ("switch-slider-crank", Numbers(nothing_drives)),
     // q - 2 t = z: z' is 1 and falls by 8 rad/s² in the last 0.15 s, after three quarters of a second between z = 0 and 0.
     ("switch-time-and-coordinate", Numbers(|found| ends_at(found, [1.86, 1.8]))),

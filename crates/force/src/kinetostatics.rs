@@ -67,6 +67,9 @@ impl<'a> Kinetostatics<'a> {
         if let Some(friction) = &mut self.reactions.friction {
             self.loads.senses(state, &position.bodies, &mut friction.senses);
             friction.drive = state.drive;
+            if friction.senses.iter().any(|sense| sense.is_nan()) {
+                self.loads.leave_open(&mut self.wrenches);
+            }
         }
     }
 

@@ -72,11 +72,7 @@ impl Chain<'_> {
         scale: f64,
         found: &mut Solutions,
     ) -> Result<(), ForceError> {
-        if block
-            .unknowns
-            .iter()
-            .any(|&unknown| self.factor(&self.frictions.unknowns[unknown], scale).is_nan())
-        {
+        if self.is_undetermined(block, &branch, scale) {
             found.branches.push(self.undetermined(block, branch));
             return Ok(());
         }
@@ -126,7 +122,15 @@ impl Chain<'_> {
         Some(branch.moduli)
     }
 
-    /// A block at rest whose friction is not determined: neither are its reactions, nor what they do to other links.
+    /// Whether friction of a block, or a load on one of its links, is not determined at rest.
+    fn is_undetermined(&self, block: &Block, branch: &Branch, scale: f64) -> bool {
+        let mut unknowns = block.unknowns.iter().map(|&index| &self.frictions.unknowns[index]);
+        let mut links = block.groups().flat_map(|group| &self.linkage.structure.groups[group].frame.links);
+        unknowns.any(|unknown| self.factor(unknown, scale).is_nan())
+            || links.any(|&link| branch.loads[link].m.is_nan())
+    }
+
+    /// A block at rest whose friction or loads are not determined: neither are its reactions, nor what they do to other links.
     fn undetermined(&self, block: &Block, mut branch: Branch) -> Branch {
         let unknown = Wrench { fx: f64::NAN, fy: f64::NAN, m: f64::NAN };
         let stages = block.groups().flat_map(|group| self.linkage.structure.groups[group].frame.pairs());

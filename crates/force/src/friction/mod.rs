@@ -5,12 +5,13 @@ use std::sync::Arc;
 
 use assur_group::{Body, Wrench};
 use assur_kinematics::Linkage;
-use assur_mechanism::Surfaces;
+use assur_mechanism::{Place, Surfaces};
 use assur_number::Real;
 use assur_words::Text;
 
 use crate::breaks::cut;
 use crate::choice::Selections;
+use crate::loads::{Action, PointForce, Shoe};
 use crate::state::Selection;
 use crate::{LoadState, Loads, Piece, Side};
 
@@ -200,6 +201,19 @@ impl Loads {
             let speed = lane(speed);
             let sign = bearing.sliding.sign(*speed, ahead);
             *speed = if rests && !bearing.rests() { f64::NAN } else { side.sense * sign };
+        }
+    }
+
+    /// Makes the loads on the links on which a brake or a force against the motion acts unknown: beside the friction that
+    /// [holds a motion at rest](Self::senses) they are not determined.
+    pub(crate) fn leave_open(&self, wrenches: &mut [Wrench<f64>]) {
+        for load in self.applied.iter().filter(|load| load.rests().is_some()) {
+            let (Action::Force(PointForce { at: Place { link, .. }, .. }) | Action::Brake(Shoe { link, .. })) =
+                load.action
+            else {
+                continue;
+            };
+            wrenches[link].m = f64::NAN;
         }
     }
 
