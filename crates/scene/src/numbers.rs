@@ -125,7 +125,9 @@ impl Entry<'_> {
             _ => None,
         };
         let finite = value.filter(|value: &f64| value.is_finite());
+        // Of most numbers nothing is said, so that none is written out.
         if let (Some(value), Some(wanted)) = (finite, wanted)
+            && within(value, "", wanted).is_err()
             && let Err(error) = within(value, &self.written().to_string(), wanted)
         {
             self.problem(error.describe(), text!("scene-no-digits"));

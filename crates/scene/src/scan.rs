@@ -10,6 +10,10 @@ pub(crate) const MOST_TABLES: usize = 300_000;
 /// is missed.
 pub(crate) fn excess(text: &str) -> Option<usize> {
     let bytes = text.as_bytes();
+    // Each takes a sign of its own.
+    if bytes.len() <= MOST_TABLES {
+        return None;
+    }
     // Brackets and braces of values that are open; points since the last sign between keys or values.
     let (mut made, mut open, mut points) = (0, 0_usize, 0);
     let (mut is_line_start, mut is_header) = (true, false);
@@ -58,7 +62,7 @@ fn after_text(bytes: &[u8], from: usize) -> usize {
     let length = if is_long { 3 } else { 1 };
     let mut at = from + length;
     while let Some(&byte) = bytes.get(at) {
-        if bytes[at..].starts_with(&[quote; 3][..length]) {
+        if byte == quote && (!is_long || bytes[at..].starts_with(&[quote; 3])) {
             return at + length;
         }
         if byte == b'\n' && !is_long {

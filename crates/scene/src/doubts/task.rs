@@ -33,20 +33,18 @@ const LONGEST_SPRING: f64 = 10.0;
 /// All of it; `size`: of the mechanism, m.
 pub(super) fn of(mechanism: &Mechanism, size: f64) -> Vec<Notice> {
     let mut notices = Vec::new();
-    let mut doubt = |is: bool, key: &Key, text: Text| {
+    let mut doubt = |is: bool, key: &Key, text: &dyn Fn() -> Text| {
         if is {
-            notices.push(Notice::mistake(key.clone(), text));
+            notices.push(Notice::mistake(key.clone(), text()));
         }
     };
     if let Some([x, y]) = mechanism.gravity {
         let size = x.hypot(y);
         let is_odd = size > 0.0 && !(GRAVITY[0]..=GRAVITY[1]).contains(&size);
-        doubt(!is_odd && y > 0.0 && x.abs() < y, &Key::of("gravity"), text!("scene-gravity-up"));
-        doubt(
-            is_odd,
-            &Key::of("gravity"),
-            text!("scene-odd-gravity", size = quantity(rounded(size), "m/s^2")),
-        );
+        doubt(!is_odd && y > 0.0 && x.abs() < y, &Key::of("gravity"), &|| text!("scene-gravity-up"));
+        doubt(is_odd, &Key::of("gravity"), &|| {
+            text!("scene-odd-gravity", size = quantity(rounded(size), "m/s^2"))
+        });
     }
     let speed = match mechanism.motion {
         Some(Motion::Prescribed { speed, .. } | Motion::Transient { speed, .. }) => {
@@ -56,32 +54,26 @@ pub(super) fn of(mechanism: &Mechanism, size: f64) -> Vec<Notice> {
         None => (Key::of("motion"), 0.0),
     };
     let fastest = if mechanism.input.is_angle() { speed.1 * size } else { speed.1 };
-    doubt(
-        fastest > FASTEST,
-        &speed.0,
-        text!("scene-fast", speed = quantity(rounded(fastest.round()), "m/s")),
-    );
+    doubt(fastest > FASTEST, &speed.0, &|| {
+        text!("scene-fast", speed = quantity(rounded(fastest.round()), "m/s"))
+    });
     for (number, friction) in mechanism.frictions.iter().enumerate() {
         let key = |name: &str| Key::of("friction").at(number).at(name);
         let coefficient = friction.coefficient;
-        doubt(
-            coefficient > ROUGHEST,
-            &key("coefficient"),
-            text!("scene-rough", found = rounded(coefficient)),
-        );
+        doubt(coefficient > ROUGHEST, &key("coefficient"), &|| {
+            text!("scene-rough", found = rounded(coefficient))
+        });
         let radius = if let Surfaces::Journal { radius, .. } = friction.surfaces { radius } else { 0.0 };
-        let text = text!(
-            "scene-great-journal",
-            radius = quantity(rounded(radius), "m"),
-            size = quantity(rounded(size), "m")
-        );
-        doubt(radius > size, &key("radius"), text);
+        doubt(radius > size, &key("radius"), &|| {
+            let [radius, size] = [radius, size].map(|length| quantity(rounded(length), "m"));
+            text!("scene-great-journal", radius, size)
+        });
     }
     let nothing = mechanism.output == Some(Output::default());
-    doubt(nothing, &Key::of("output"), text!("scene-empty-output"));
+    doubt(nothing, &Key::of("output"), &|| text!("scene-empty-output"));
     for (id, load) in mechanism.loads.iter().enumerate() {
         if let Some((key, text)) = of_load(mechanism, load, mechanism.key_of_load(id), size) {
-            doubt(true, &key, text);
+            doubt(true, &key, &|| text.clone());
         }
     }
     notices.extend(of_input_and_drive(mechanism, &speed));
