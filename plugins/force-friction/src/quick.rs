@@ -223,36 +223,31 @@ impl<T: Number> Quick<'_, T> {
             }
         }
         // The normal forces have their columns behind those of all sums.
-        let columns = || (0..=bearings.count).chain(1 + N..);
-        let last = if inertia.is_empty() { sets } else { sets - 1 };
+        let last = if inertia.is_empty() { C } else { bearings.count + shifted };
+        let columns = || {
+            (0..=bearings.count)
+                .chain(1 + N..)
+                .enumerate()
+                .map(|(set, at)| if set > last { C - 1 } else { at })
+        };
         let mut table = Table { rows: [[[T::ZERO; 3]; C]; N], drives: [T::ZERO; C] };
         for &stage in stages {
             match stage.checked_sub(1) {
                 Some(group) if !solved[group] => {}
                 Some(group) => self.groups[group].reactions_under(self.bodies, own, found, sets).ok()?,
                 None => {
-                    let mut each = own.chunks_exact_mut(links).zip(found.chunks_exact_mut(count));
-                    for (column, (own, found)) in columns().zip(each.by_ref().take(last)) {
+                    let each = own.chunks_exact_mut(links).zip(found.chunks_exact_mut(count));
+                    for (column, (own, found)) in columns().zip(each) {
                         table.drives[column] = self.respond(stage, solved, own, found)?;
-                    }
-                    if let Some((own, found)) = each.next() {
-                        table.drives[C - 1] = self.respond(stage, solved, own, found)?;
                     }
                 }
             }
         }
         for (row, one) in table.rows.iter_mut().zip(bearings.each()) {
             let pressing = one.unknown.pressing(one.bearing, self.bodies);
-            let press = |found: &[Wrench<T>]| {
+            for (column, found) in columns().zip(found.chunks_exact(count)) {
                 let ([one, other], normal) = pressing.of(&one.unknown.load_on(found));
-                [one, other, normal]
-            };
-            let mut each = found.chunks_exact(count);
-            for (column, found) in columns().zip(each.by_ref().take(last)) {
-                row[column] = press(found);
-            }
-            if let Some(found) = each.next() {
-                row[C - 1] = press(found);
+                row[column] = [one, other, normal];
             }
         }
         Some(table)
