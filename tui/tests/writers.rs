@@ -80,6 +80,19 @@ fn signal(child: &Child, signal: &str) {
     assert!(Command::new("sh").args(["-c", &kill]).status().unwrap().success());
 }
 
+/// Stops a process, and waits until none of its threads runs: a signal is delivered after the call that sends it.
+fn stop(child: &Child) {
+    signal(child, "-STOP");
+    let threads = || fs::read_dir(format!("/proc/{}/task", child.id())).unwrap();
+    let is_stopped = |thread: std::io::Result<fs::DirEntry>| {
+        let state = fs::read_to_string(thread.unwrap().path().join("stat")).unwrap_or_default();
+        state.rsplit(')').next().is_some_and(|rest| rest.trim_start().starts_with('T'))
+    };
+    while !threads().all(is_stopped) {
+        std::thread::sleep(std::time::Duration::from_millis(1));
+    }
+}
+
 /// The rows of a run that nothing disturbs.
 fn whole(folder: &Path, name: &str) -> Vec<u8> {
     let name = format!("whole-{name}");
@@ -96,7 +109,7 @@ fn a_second_sweep_is_told_who_writes() {
         let mut first = start(path, &[MANY, "-o", name]);
         assert!(has_written(&mut first, &path.join(format!("{name}.part")), 0), "too few points");
         // It must not end before the others begin.
-        signal(&first, "-STOP");
+        stop(&first);
         for more in [&[][..], &["--resume"], &["--shard", "2/2"]] {
             let second = sweep(path, &[&[FEW, "-o", name], more].concat());
             let process = format!("error: can't write {name}: process {}", first.id());
@@ -241,7 +254,7 @@ fn what_takes_the_place_of_rows_while_they_are_written_is_an_error() {
             let part = path.join(format!("{name}.part"));
             let mut child = start(path, &[MANY, "-o", name]);
             assert!(has_written(&mut child, &part, 0), "too few points");
-            signal(&child, "-STOP");
+            stop(&child);
             fs::rename(&part, path.join("moved")).unwrap();
             if as_link {
                 symlink("moved", &part).unwrap();
