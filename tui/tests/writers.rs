@@ -80,15 +80,16 @@ fn signal(child: &Child, signal: &str) {
     assert!(Command::new("sh").args(["-c", &kill]).status().unwrap().success());
 }
 
-/// Stops a process, and waits until none of its threads runs: a signal is delivered after the call that sends it.
+/// Stops a process, and waits until none of its threads runs, where the system lists them: a signal is delivered after the call
+/// that sends it.
 fn stop(child: &Child) {
     signal(child, "-STOP");
-    let threads = || fs::read_dir(format!("/proc/{}/task", child.id())).unwrap();
-    let is_stopped = |thread: std::io::Result<fs::DirEntry>| {
+    let runs = |thread: std::io::Result<fs::DirEntry>| {
         let state = fs::read_to_string(thread.unwrap().path().join("stat")).unwrap_or_default();
-        state.rsplit(')').next().is_some_and(|rest| rest.trim_start().starts_with('T'))
+        state.rsplit(')').next().is_some_and(|rest| !rest.trim_start().starts_with('T'))
     };
-    while !threads().all(is_stopped) {
+    let threads = || fs::read_dir(format!("/proc/{}/task", child.id()));
+    while threads().is_ok_and(|mut threads| threads.any(runs)) {
         std::thread::sleep(std::time::Duration::from_millis(1));
     }
 }

@@ -24,6 +24,7 @@ pub(crate) mod work;
 pub use data::{ChartData, Measurement, Reference, Setting, SettingValue, Stage, csv};
 pub use figure::figure;
 pub(crate) use forces::state;
+pub use page::time;
 pub use race::{ChartOptions, Progress};
 pub use run::{ChartError, chart};
 

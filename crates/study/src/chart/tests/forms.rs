@@ -2,7 +2,7 @@
 
 use super::scenes::charted;
 use crate::chart::run::front;
-use crate::chart::{ChartData, Stage, csv, figure};
+use crate::chart::{ChartData, Stage, csv, figure, time};
 use assur_figure::{Frame, Item};
 use assur_report::json::to_json;
 use assur_report::text::{Style, told};
@@ -80,6 +80,12 @@ fn the_exact_flywheel_is_exact_and_the_textbooks_are_not() {
     for row in charted("flywheel").of(Stage::Flywheel) {
         assert!(row.error.unwrap() < 1e-9, "{row:?}");
     }
+}
+
+#[test]
+fn a_time_has_three_digits_and_the_unit_that_suits_it() {
+    let told = [215e-9, 3.456e-5, 1.2e-3, 0.0999, 12.34].map(|seconds| time(seconds).to_string());
+    assert_eq!(told, ["215 ns", "34.6 µs", "1.20 ms", "99.9 ms", "12.3 s"]);
 }
 
 #[test]
