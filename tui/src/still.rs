@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use assur_figure::{Figure, svg};
-use assur_picture::{Look, Picture, Results, ViewPart, find};
+use assur_picture::{Look, Picture, Results, ViewPart};
 use assur_png as png;
 use assur_words::{Describe, Language, Text, Told, joined, list, name, number, text};
 use clap::Args;
@@ -118,21 +118,12 @@ pub(crate) fn draw(
     language: &'static Language,
 ) -> Result<Vec<u8>, StillError> {
     let size = request.size.unwrap_or(PAGE);
-    let (wanted, mut picked) = (request.part()?, Vec::new());
+    let wanted = request.part()?;
     let mut look = Look { position: position(results, request.position)?, ..Look::default() };
     // A construction is drawn whole, unless a step is asked for.
     look.step = if wanted == Some(ViewPart::Construction) { usize::MAX } else { 0 };
     let part = request.view.part(results, &look, wanted);
-    for sought in request.show.iter().filter(|sought| !sought.is_empty()) {
-        let told = |text: &Text| text.render(language);
-        if let Ok(number) = sought.parse() {
-            look.position = position(results, number)?;
-        } else if request.view == Picture::Curves {
-            choose_curves(results, sought, &mut look, &mut picked, told)?;
-        } else {
-            choose(results, request.view, part, sought, &mut look, told).ok_or_else(|| not_found(sought))?;
-        }
-    }
+    let picked = choose(results, request, part, &mut look, language)?;
     look.picked = &picked;
     let part = request.view.part(results, &look, wanted);
     if let Some(step) = request.step {
@@ -160,57 +151,32 @@ fn position(results: &Results, wanted: usize) -> Result<usize, Text> {
     Err(text!("draw-no-position", position = number(wanted), last = number(last)))
 }
 
-fn not_found(sought: &str) -> Text {
-    text!("say-not-found", text = name(sought.trim().to_owned()))
-}
-
-/// Chooses the quantities of these names: the curves of one with its derivatives, or several over each other.
-fn choose_curves(
-    results: &Results,
-    sought: &str,
-    look: &mut Look<'_>,
-    picked: &mut Vec<String>,
-    told: impl Fn(&Text) -> String,
-) -> Result<(), Text> {
-    let all: Vec<&str> = sought.split(',').collect();
-    for one in &all {
-        let column = find::column(results, 0, &one.trim().to_lowercase(), &told);
-        let column = column.ok_or_else(|| not_found(one))?;
-        let transfer = results.transfers.iter().position(|transfer| transfer.orders.contains(&column));
-        match transfer.filter(|_| all.len() == 1) {
-            Some(transfer) => look.transfer = transfer,
-            None => picked.extend(results.column(column).map(|series| series.short.clone())),
-        }
-    }
-    Ok(())
-}
-
-/// Chooses what a picture shows by its name; `None` if there is nothing of this name.
+/// Chooses what is to be shown by its name, or a position by its number. Several quantities, which are to lie over each other, and one
+/// without derivatives are returned.
 fn choose(
     results: &Results,
-    view: Picture,
+    request: &PictureArgs,
     part: ViewPart,
-    sought: &str,
     look: &mut Look<'_>,
-    told: impl Fn(&Text) -> String,
-) -> Option<()> {
-    let (found, wanted) = (results.found.as_deref(), sought.to_lowercase());
-    match (view, part) {
-        (Picture::Forces, _) => look.reaction = find::reaction(found?, 0, &wanted)?,
-        (Picture::Plans, ViewPart::Construction) => {
-            look.step = find::step(&found?.plans.at(look.position), &wanted, told)?;
-        }
-        (Picture::Plans, ViewPart::Forces) => {
-            look.polygon = find::polygon(&found?.plans.at(look.position), &wanted, told)?;
-        }
-        (Picture::Plans, _) => return None,
-        (Picture::Structure, _) => {
-            let names: Vec<String> = results.group_names().iter().map(told).collect();
-            look.group = find::row(&names, 0, sought)?;
-        }
-        _ => drop(find::column(results, 0, &wanted, told)?),
+    language: &Language,
+) -> Result<Vec<String>, Text> {
+    let mut picked = Vec::new();
+    let Some(sought) = request.show.as_ref().filter(|sought| !sought.is_empty()) else { return Ok(picked) };
+    if let Ok(number) = sought.parse() {
+        look.position = position(results, number)?;
+        return Ok(picked);
     }
-    Some(())
+    let is_curves = request.view == Picture::Curves;
+    let all: Vec<&str> = if is_curves { sought.split(',').collect() } else { vec![sought] };
+    for one in &all {
+        look.column = 0;
+        let found = look.choose(results, (request.view, part), one.trim(), |text| text.render(language));
+        found.ok_or_else(|| text!("say-not-found", text = name(one.trim().to_owned())))?;
+        if is_curves && (all.len() > 1 || results.transfer_of(look.column).is_none()) {
+            picked.extend(results.column(look.column).map(|series| series.short.clone()));
+        }
+    }
+    Ok(picked)
 }
 
 /// A step of the construction that is shown, counted from 1, as a step of all constructions.
@@ -239,7 +205,7 @@ fn step_of(
 fn figure(results: &Results, view: Picture, look: &Look<'_>, part: ViewPart) -> Result<Figure, StillError> {
     let figure = if view.is_in(results) { view.figure(results, look, part) } else { Figure::default() };
     if figure.panels.is_empty() {
-        return Err(StillError::Nothing(view.missing(results, look, part).why));
+        return Err(StillError::Nothing(view.missing(results, look, part).0));
     }
     if matches!(view, Picture::Mechanism | Picture::Structure) {
         return Ok(figure);

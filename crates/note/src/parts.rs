@@ -5,7 +5,7 @@ use assur_book::{Block, Document};
 use assur_figure::mechanism::Drawing;
 use assur_figure::{Figure, Item, Panel};
 use assur_mechanism::LinkId;
-use assur_picture::{Look, ViewPart, curves, drive, mechanism, motion, plans};
+use assur_picture::{Look, ViewPart, curves, mechanism, motion, plans, regime};
 use assur_report::topic;
 use assur_words::{Text, list, name, number, text};
 
@@ -115,7 +115,7 @@ fn kinematics(context: &Context<'_>, page: &mut Document) {
 fn dynamics(context: &Context<'_>, page: &mut Document) {
     let (results, look) = (context.results, &context.first());
     let of_motion = |part| on_paper(motion::figure(results, look, part, usize::MAX));
-    let of_drive = |part| on_paper(drive::figure(results, look, part, 1));
+    let of_drive = |part| on_paper(regime::drive(results, look, part, 1));
     let facts = topic::regime_facts(&context.found.analysis);
     if facts.is_empty() {
         let Some(mut figure) = of_motion(ViewPart::Overview) else { return };
@@ -129,7 +129,7 @@ fn dynamics(context: &Context<'_>, page: &mut Document) {
     page.paragraph(text!("note-dynamics-text"));
     page.facts(text!("note-regime"), facts);
     reduced_inertia(context, page);
-    let reduction = context.beside(|look| drive::figure(results, look, ViewPart::Reduction, 1));
+    let reduction = context.beside(|look| regime::drive(results, look, ViewPart::Reduction, 1));
     let caption = text!("note-link-of-reduction", place = context.places());
     page.figure(of_motion(ViewPart::Course), CURVES, text!("note-speed-and-moments"));
     page.figure(of_drive(ViewPart::Inertia), CURVE, context.with_legend(text!("note-shares-drawn")));

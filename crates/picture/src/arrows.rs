@@ -98,8 +98,8 @@ fn length(results: &Results, order: u8) -> Option<f64> {
     (most > 0.0).then(|| LONGEST * size / most)
 }
 
-/// The arrows that are drawn: what they are, the size of a round one with its unit, its length, m, and its ink.
-pub fn scales(results: &Results, look: &Look<'_>) -> Vec<(Text, Text, f64, Ink)> {
+/// The arrows that are drawn: what they are, the size of a round one with its unit, its length, m, its stroke and its ink.
+pub fn scales(results: &Results, look: &Look<'_>) -> Vec<(Text, Text, f64, (Stroke, Ink))> {
     let scale = |&order: &u8| {
         let what = match (moving(results).is_some(), order) {
             (true, 1) => text!("arrow-velocity"),
@@ -110,16 +110,15 @@ pub fn scales(results: &Results, look: &Look<'_>) -> Vec<(Text, Text, f64, Ink)>
         let Series { unit, factor, .. } = series_of(results, order).next()?;
         let round = round_length(TOLD * most(results, order) * factor) / factor;
         let size = quantity(plain(round * factor), unit.clone());
-        Some((what, size, round * length(results, order)?, look_of(order).1))
+        Some((what, size, round * length(results, order)?, look_of(order)))
     };
     orders(look).iter().filter_map(scale).collect()
 }
 
 /// What the arrows are, with the length of a round value.
 pub(crate) fn legend(results: &Results, look: &Look<'_>) -> Vec<Key> {
-    let stroke = |ink| if ink == Ink::Velocity { Stroke::Solid } else { Stroke::Dashed };
-    let key = |(what, size, length, ink)| Key {
-        sample: Sample::Arrow(length, stroke(ink), ink),
+    let key = |(what, size, length, (stroke, ink))| Key {
+        sample: Sample::Arrow(length, stroke, ink),
         text: text!("arrow-told", what = what, size = size),
     };
     scales(results, look).into_iter().map(key).chain(legend_of_contacts(results)).collect()

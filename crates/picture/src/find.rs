@@ -2,7 +2,37 @@
 
 use assur_words::Text;
 
-use crate::{Found, Plans, Reaction, Results};
+use crate::{Found, Look, Picture, Plans, Reaction, Results, ViewPart};
+
+impl Look<'_> {
+    /// Chooses what a part of a picture shows by its name, the next one behind what is chosen now; `None` if there is nothing of this
+    /// name.
+    pub fn choose(
+        &mut self,
+        results: &Results,
+        (picture, part): (Picture, ViewPart),
+        sought: &str,
+        told: impl Fn(&Text) -> String,
+    ) -> Option<()> {
+        let (found, wanted) = (results.found.as_deref(), sought.to_lowercase());
+        let plans = || Some(found?.plans.at(self.position));
+        match (picture, part) {
+            (Picture::Forces, _) => self.reaction = reaction(found?, self.reaction, &wanted)?,
+            (Picture::Plans, ViewPart::Construction) => self.step = step(&*plans()?, &wanted, told)?,
+            (Picture::Plans, ViewPart::Forces) => self.polygon = polygon(&*plans()?, &wanted, told)?,
+            (Picture::Plans, _) => return None,
+            (Picture::Structure, _) => {
+                let names: Vec<String> = results.group_names().iter().map(told).collect();
+                self.group = row(&names, self.group, sought)?;
+            }
+            _ => {
+                self.column = column(results, self.column, &wanted, told)?;
+                self.transfer = results.transfer_of(self.column).unwrap_or(self.transfer);
+            }
+        }
+        Some(())
+    }
+}
 
 /// The first of so many items that fits, of those after the present one and then of those up to it.
 pub fn next(now: usize, count: usize, fits: impl Fn(usize) -> bool) -> Option<usize> {
@@ -10,7 +40,7 @@ pub fn next(now: usize, count: usize, fits: impl Fn(usize) -> bool) -> Option<us
 }
 
 /// The next reaction of a pair of this name, else one whose pair or link begins with it.
-pub fn reaction(found: &Found, now: usize, wanted: &str) -> Option<usize> {
+fn reaction(found: &Found, now: usize, wanted: &str) -> Option<usize> {
     let names = |reaction: &Reaction| {
         reaction.of.as_ref().map(|(pair, link)| [pair.to_lowercase(), link.to_lowercase()])
     };
@@ -22,14 +52,14 @@ pub fn reaction(found: &Found, now: usize, wanted: &str) -> Option<usize> {
 }
 
 /// The last step of the construction of a force analyzer.
-pub fn step(plans: &Plans, wanted: &str, told: impl Fn(&Text) -> String) -> Option<usize> {
+fn step(plans: &Plans, wanted: &str, told: impl Fn(&Text) -> String) -> Option<usize> {
     let same = plans.constructions.iter().position(|(method, _)| *method == wanted);
     let mut all = plans.constructions.iter();
     plans.steps_of(same.or_else(|| all.position(|(_, drawn)| contains(&told(&drawn.title), wanted)))?).last()
 }
 
 /// The force polygon of a group.
-pub fn polygon(plans: &Plans, wanted: &str, told: impl Fn(&Text) -> String) -> Option<usize> {
+fn polygon(plans: &Plans, wanted: &str, told: impl Fn(&Text) -> String) -> Option<usize> {
     let polygons = plans.sheet.as_ref().map_or(&[][..], |sheet| &sheet.polygons);
     polygons.iter().position(|polygon| contains(&told(&polygon.title), wanted))
 }
@@ -39,7 +69,7 @@ fn contains(text: &str, wanted: &str) -> bool {
 }
 
 /// The quantity of a name: the one with just this name, or else the next one in whose name it occurs.
-pub fn column(results: &Results, now: usize, wanted: &str, told: impl Fn(&Text) -> String) -> Option<usize> {
+fn column(results: &Results, now: usize, wanted: &str, told: impl Fn(&Text) -> String) -> Option<usize> {
     let names = |column: usize| {
         let series = results.column(column)?;
         let names = [told(&series.of), told(&series.head), series.short.clone()];

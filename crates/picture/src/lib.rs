@@ -5,7 +5,7 @@
 //! * [`curves`]: quantities over the positions.
 //! * [`plans`]: force polygons, plans of velocities and accelerations, constructions.
 //! * [`forces`]: reactions over the cycle, beside the friction of their pairs, and by [`causes`].
-//! * [`motion`], [`drive`]: the motion over the positions or over time, the steady regime with its motor and flywheel.
+//! * [`motion`], [`regime`]: the motion over the positions or over time, the steady regime with its motor and flywheel.
 //!
 //! A [`Picture`] is one of them by its name; [`find`] looks for what it shows.
 //!
@@ -14,14 +14,11 @@
 pub mod arrows;
 pub mod causes;
 pub mod curves;
-pub mod drive;
 pub mod find;
 pub mod forces;
 mod found;
 mod friction;
-mod gather;
 pub mod mechanism;
-mod missing;
 pub mod motion;
 mod outline;
 mod places;
@@ -30,19 +27,16 @@ pub mod plans;
 pub mod plots;
 mod probe;
 mod reduction;
-mod regime;
+pub mod regime;
 mod results;
 mod series;
-mod transfer;
 mod view;
 
-pub use found::Found;
-pub use gather::Reaction;
-pub use missing::Missing;
+pub use found::{Found, Reaction};
 pub use outline::Outline;
 pub use planner::{Planner, Plans};
 pub use probe::{PathFigures, Probe};
-pub use results::{Among, Broken, Compared, Results};
+pub use results::{Broken, Compared, Results};
 pub use series::{Series, Transfer};
 pub use view::Picture;
 
@@ -74,6 +68,8 @@ pub struct Look<'a> {
     pub step: usize,
     /// First quantity of the motion.
     pub motion: usize,
+    /// Index in the columns of the results: the quantity that is looked for.
+    pub column: usize,
     /// Short names of the quantities that lie over each other; none: PF0, PF1, PF2 of the chosen one.
     pub picked: &'a [String],
     /// Arrows of the points.

@@ -74,7 +74,7 @@ struct Drawn {
 impl Drawn {
     fn of(dynamics: &Dynamics) -> Self {
         let motor = dynamics.motor.as_ref().map(|found| &*found.motor);
-        let own = motor.and_then(|motor| Some([motor.length?, motor.diameter?]));
+        let own = motor.and_then(size_of);
         let other = motor.filter(|_| own.is_none()).and_then(alike);
         let name = match other {
             Some(other) => text!("places-motor-as", other = name(other.designation.clone())),

@@ -166,14 +166,11 @@ fn ink(kind: VectorKind) -> Ink {
 
 /// The construction and its step that belong to the number of a step over all constructions.
 fn chosen_step(plans: &Plans, step: usize) -> Option<(&Construction, usize)> {
-    let mut left = step.min(plans.step_count().saturating_sub(1));
-    for (_, construction) in &plans.constructions {
-        if left < construction.steps.len() {
-            return Some((construction, left));
-        }
-        left -= construction.steps.len();
-    }
-    None
+    let step = step.min(plans.step_count().checked_sub(1)?);
+    plans.constructions.iter().enumerate().find_map(|(index, (_, construction))| {
+        let steps = plans.steps_of(index);
+        steps.contains(&step).then(|| (construction, step - steps.start))
+    })
 }
 
 /// The drawing of the last step with the steps up to it, on the place that all its steps take: the mechanism under the steps in it

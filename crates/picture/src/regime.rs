@@ -6,11 +6,39 @@ use assur_analysis::results::{
 };
 use assur_book::{Course, Jump};
 use assur_figure::number::{digits, plain};
-use assur_figure::{Axis, AxisKind, Bounds, Frame, Ink, Item, Key, Panel, Point, Sample, Sign, Stroke};
+use assur_figure::{
+    Axis, AxisKind, Bounds, Figure, Frame, Ink, Item, Key, Panel, Point, Sample, Sign, Stroke,
+};
 use assur_kinematics::Linkage;
 use assur_words::{Text, joined, list, name, number, quantity, text, unit};
 
-use crate::{Found, Look, coordinate_at, coordinate_unit, plots};
+use crate::{Found, Look, Results, ViewPart, coordinate_at, coordinate_unit, places, plots, reduction};
+
+/// Characteristic and moments, the energy-mass diagram, or the shares of the reduced inertia, in so many columns.
+pub fn drive(results: &Results, look: &Look<'_>, part: ViewPart, columns: usize) -> Figure {
+    let Some(found) = &results.found else { return Figure::default() };
+    let Some(dynamics) = &found.analysis.dynamics else { return Figure::default() };
+    let panels = match part {
+        ViewPart::EnergyMass => vec![energy_mass(&dynamics.energy_mass)],
+        ViewPart::Reduction => reduction::link(results, look, found).into_iter().collect(),
+        ViewPart::Inertia => {
+            let (panel, legend) = shares(found, dynamics, look);
+            return Figure { title: text!("drive-title"), panels: vec![panel], columns, legend };
+        }
+        // The two drives stand beside each other.
+        ViewPart::Places => {
+            let (panels, legend) =
+                (places::panels(&results.linkage.mechanism, dynamics), places::legend(dynamics));
+            return Figure { title: text!("places-heading"), columns: panels.len().max(1), panels, legend };
+        }
+        _ => {
+            let moments = moments(found, &dynamics.regime, look);
+            let section = working_section(dynamics).filter(|_| part == ViewPart::Curves);
+            characteristic(dynamics).into_iter().chain(section).chain([moments]).collect()
+        }
+    };
+    Figure { title: text!("drive-title"), panels, columns, legend: Vec::new() }
+}
 
 /// A quantity of the regime over the cycle; where `read` gives none, the course has none.
 fn over(regime: &RegimeOverCycle, read: impl Fn(&RegimeState) -> Option<f64>) -> Course {

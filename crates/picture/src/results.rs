@@ -4,14 +4,16 @@ use std::cell::RefCell;
 use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
 
-use assur_analysis::AnalysisError;
-use assur_analysis::results::{Column, Owner, Quantity, Table};
+use assur_analysis::results::{Column, Edges, Owner, Quantity, Schema, Table};
+use assur_analysis::{AnalysisError, Calculation, Options, plan, unwatched};
+use assur_book::{Course, Node, catalogue};
 use assur_figure::number::plain;
 use assur_group::{GroupError, Order};
 use assur_kinematics::{Linkage, Modes, Position, PositionError};
+use assur_mechanism::{GROUND, PointId};
 use assur_words::{Describe, Text, millimeters, number, quantity, text};
 
-use crate::{Found, Outline, Series, Transfer, coordinate_at, coordinate_unit, transfer};
+use crate::{Found, Outline, Series, Transfer, coordinate_at, coordinate_unit};
 
 /// What was calculated of a scene.
 #[derive(Debug)]
@@ -39,15 +41,6 @@ pub struct Results {
 /// A coordinate nearer to a position than this part of the way to the next one is in it.
 const AT_POSITION: f64 = 1e-6;
 
-/// Where a coordinate lies among the positions.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Among {
-    /// In this position.
-    At(usize),
-    /// Between these two.
-    Between([usize; 2]),
-}
-
 /// A position that can't be assembled.
 #[derive(Debug)]
 pub struct Broken {
@@ -62,8 +55,8 @@ pub struct Broken {
 impl Results {
     /// Calculates the positions of a linkage.
     pub fn of(linkage: Arc<Linkage>) -> Result<Self, AnalysisError> {
-        let (table, edges) = transfer::positions(&linkage)?;
-        let (series, transfers) = transfer::series(&linkage, &table, &edges);
+        let (table, edges) = positions(&linkage)?;
+        let (series, transfers) = series(&linkage, &table, &edges);
         let missing = (0..linkage.mechanism.input.positions).filter(|index| table.row_of(*index).is_none());
         let broken: BTreeMap<_, _> =
             missing.filter_map(|index| Some((index, broken(&linkage, index)?))).collect();
@@ -143,6 +136,11 @@ impl Results {
         }
     }
 
+    /// The quantity with two derivatives to which a column belongs.
+    pub fn transfer_of(&self, column: usize) -> Option<usize> {
+        self.transfers.iter().position(|transfer| transfer.orders.contains(&column))
+    }
+
     /// All series: the transfer functions, then what the analysis found.
     pub fn columns(&self) -> impl Iterator<Item = &Series> {
         self.series.iter().chain(self.found.iter().flat_map(|found| &found.series))
@@ -168,17 +166,18 @@ impl Results {
         near.unwrap_or(0) % self.positions()
     }
 
-    /// Where a coordinate, rad or m, lies among the positions; `closes`: whether the end of the cycle is its first position.
-    pub fn among(&self, at: f64, closes: bool) -> Among {
+    /// The positions between which a coordinate, rad or m, lies, twice the same one where it lies in it; `closes`: whether the end of
+    /// the cycle is its first position.
+    pub fn among(&self, at: f64, closes: bool) -> [usize; 2] {
         let (input, count) = (&self.linkage.mechanism.input, self.positions());
         let [first, next] = [0, 1].map(|index| input.coordinate(index));
         let part = (at - first) / (next - first);
         let is_end = !closes && part > count as f64 - 0.5;
         if !is_end && (part - part.round()).abs() <= AT_POSITION {
-            return Among::At(self.nearest(at));
+            return [self.nearest(at); 2];
         }
         let before = (0..count).rev().find(|number| *number as f64 <= part).unwrap_or(0);
-        Among::Between([before, (before + 1) % count])
+        [before, (before + 1) % count]
     }
 
     /// `position 6, 45 deg`.
@@ -197,6 +196,59 @@ impl Results {
     pub fn column(&self, index: usize) -> Option<&Series> {
         self.columns().nth(index)
     }
+}
+
+/// A value this small compared with the size of the mechanism counts as zero.
+const ROUNDING: f64 = 1e-13;
+
+/// All series, and which of them belong together.
+fn series(linkage: &Linkage, table: &Table, edges: &Edges) -> (Vec<Series>, Vec<Transfer>) {
+    let (mechanism, schema) = (&linkage.mechanism, Schema::new(&linkage.mechanism));
+    let node = |number| {
+        let at = mechanism.input.coordinate(number);
+        Node { number, at, value: at }
+    };
+    // Positions that can't be assembled have a coordinate too.
+    let count = mechanism.input.positions;
+    let end = (!edges.ending.is_empty()).then(|| node(count));
+    let course = Course::from_nodes((0..count).map(node), end);
+    let mut series = vec![Series::of(&schema, Column::COORDINATE, course, 0.0)];
+    let mut transfers = Vec::new();
+    let moves = |id: &PointId| mechanism.points[*id].places.iter().all(|place| place.link != GROUND);
+    let points = (0..mechanism.points.len()).filter(moves).map(Owner::Point);
+    let points = points.flat_map(|owner| Column::vector(Quantity::Transfer(0), owner));
+    let links = (1..mechanism.links.len()).map(Owner::Link);
+    let others = links.chain((0..mechanism.slides.len()).map(Owner::Slide));
+    for place in points.chain(others.map(|owner| Column::of(Quantity::Transfer(0), owner))) {
+        // Angles are of the order of 1; lengths of that of the mechanism.
+        let size = if let Owner::Link(_) = place.owner { 1.0 } else { linkage.structure.scale };
+        let first = series.len();
+        series.extend((0..=2).map(|order| {
+            let column = Column { quantity: Quantity::Transfer(order), ..place };
+            let course = Course::of(table, Some(edges), Column::COORDINATE, column);
+            Series::of(&schema, column, course, ROUNDING * size)
+        }));
+        let name = catalogue::subject(&schema, place);
+        transfers.push(Transfer { name, owner: place.owner, orders: [first, first + 1, first + 2] });
+    }
+    (series, transfers)
+}
+
+/// The transfer functions of the positions and of what is drawn between and after them, whatever the scene requests and however it
+/// is loaded.
+fn positions(linkage: &Linkage) -> Result<(Table, Edges), AnalysisError> {
+    let mut bare = linkage.clone();
+    let mechanism = &mut bare.mechanism;
+    (mechanism.motion, mechanism.drive) = (None, None);
+    mechanism.loads.clear();
+    mechanism.frictions.clear();
+    let options = Options { whole: true, ..Options::default() };
+    let mut plan = plan(mechanism, &bare.structure, &options);
+    plan.reduction = false;
+    let calculation = Calculation::planned(Arc::new(bare), plan, None, &options, &mut unwatched)?;
+    let table = calculation.analyze(&mut unwatched)?.positions;
+    let edges = calculation.edges(&table);
+    Ok((table, edges))
 }
 
 /// The least determinant of a group, from its condition number, which a singular position lacks.

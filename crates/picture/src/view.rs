@@ -1,10 +1,12 @@
-//! The pictures by name, their parts, and what there is to show.
+//! The pictures by name, their parts, and what there is to show or is lacking.
 
 use assur_analysis::results::{Column, Owner, Quantity};
 use assur_figure::Figure;
+use assur_mechanism::Motion;
+use assur_words::{Text, joined, text};
 use strum::{EnumString, IntoStaticStr, VariantNames};
 
-use crate::{Look, Results, ViewPart, curves, drive, forces, mechanism, motion, plans};
+use crate::{Look, Results, ViewPart, curves, forces, mechanism, motion, plans, regime};
 
 /// A picture; its names are those of the views of the terminal UI.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, EnumString, IntoStaticStr, VariantNames)]
@@ -86,6 +88,32 @@ impl Picture {
         }
     }
 
+    /// Why a part of it has nothing to show, with an example of what to add to the scene where something can be added; and whether
+    /// something can be.
+    pub fn missing(self, results: &Results, look: &Look<'_>, part: ViewPart) -> (Text, bool) {
+        let Some(found) = &results.found else { return (text!("nothing-here"), false) };
+        let is_transient = matches!(results.linkage.mechanism.motion, Some(Motion::Transient { .. }));
+        let has_loads = found.plans.calculation().plan.forces;
+        let not_determined = || text!("forces-not-determined");
+        let why = match (self, &found.analysis.no_motion) {
+            (Self::Motion | Self::Drive, Some(reason)) => motion::not_found(reason, "\n"),
+            (Self::Forces | Self::Plans, None) if is_transient => text!("forces-over-time"),
+            (Self::Forces | Self::Plans, Some(reason)) => {
+                joined("\n", [text!("no-forces-found"), reason.clone()])
+            }
+            (Self::Motion, None) => return (text!("add-motion"), true),
+            (Self::Drive, None) if found.analysis.dynamics.is_some() => text!("drive-no-motor"),
+            (Self::Drive, None) => return (text!("add-drive"), true),
+            (Self::Forces, None) if has_loads => not_determined(),
+            (Self::Plans, None) if has_loads => {
+                plans::missing(found, look, part).unwrap_or_else(not_determined)
+            }
+            (Self::Forces | Self::Plans, None) => return (text!("add-loads"), true),
+            _ => text!("nothing-here"),
+        };
+        (why, false)
+    }
+
     /// The picture of a part; without panels where there is nothing to show.
     pub fn figure(self, results: &Results, look: &Look<'_>, part: ViewPart) -> Figure {
         match self {
@@ -94,7 +122,7 @@ impl Picture {
             Self::Forces => forces::figure(results, look, part),
             Self::Plans => plans::figure(results, look, part),
             Self::Motion => motion::figure(results, look, part, usize::MAX),
-            Self::Drive => drive::figure(results, look, part, 1),
+            Self::Drive => regime::drive(results, look, part, 1),
             Self::Structure => mechanism::structure(results, look),
         }
     }

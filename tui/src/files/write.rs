@@ -12,9 +12,8 @@ use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM, SIGXFSZ};
 use signal_hook::iterator::Signals;
 use tempfile::NamedTempFile;
 
-use super::FileError;
 use super::lock::Lock;
-use super::stream::open_stream;
+use super::{FileError, open_stream};
 
 /// Lock of a folder while its files are replaced.
 const LOCK: &str = ".assur.lock";

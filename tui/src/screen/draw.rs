@@ -36,7 +36,7 @@ pub(crate) fn paint_zoomed(state: &State, figure: &Figure, zoom: Zoom, area: Rec
     }
     let height = height(state, figure, area);
     for spot in cells::draw(figure, [area.width, height], cells(state, zoom)) {
-        put(buffer, area, spot.column, spot.row, &spot.text, state.look.theme.style(role(spot.ink)));
+        put(buffer, area, spot.column, spot.row, &spot.text, state.style(role(spot.ink)));
     }
 }
 
@@ -80,7 +80,7 @@ pub(crate) fn put_lines<'a>(
     lines: impl IntoIterator<Item = &'a (Role, String)>,
 ) {
     for (row, (role, line)) in lines.into_iter().enumerate() {
-        put(buffer, area, column, short(row), line, state.look.theme.style(*role));
+        put(buffer, area, column, short(row), line, state.style(*role));
     }
 }
 

@@ -21,12 +21,7 @@ pub(crate) fn failed(job: &Job, text: Text) -> Report {
     match job {
         Job::Read(wanted) => Report::Read(wanted.clone(), Err(text)),
         Job::Note { path, .. } => Report::Noted(path.clone(), Err(text)),
-        Job::Calculate(CalculationRequest { number, purpose: Purpose::Measurement, .. }) => {
-            Report::Calculated(*number, Outcome::Measured(Err(text)))
-        }
-        Job::Calculate(CalculationRequest { number, .. }) => {
-            Report::Calculated(*number, Outcome::Found(Err(text)))
-        }
+        Job::Calculate(request) => Report::Calculated(request.number, Outcome::Failed(text)),
     }
 }
 
@@ -55,7 +50,7 @@ pub(crate) fn run(job: &Job, tell: &dyn Fn(Report)) -> Report {
                 last: Instant::now(),
             };
             let last = if request.purpose == Purpose::Measurement {
-                Outcome::Measured(Ok(Box::new(measure(request, &mut watch))))
+                Outcome::Measured(Box::new(measure(request, &mut watch)))
             } else {
                 analyze(request, &mut watch, &tell)
             };
@@ -75,10 +70,10 @@ fn analyze(request: &CalculationRequest, watch: &mut Watch<'_>, tell: &dyn Fn(Ou
     let mut watch = |progress| watch.see(|| told(progress));
     let found = match request.session.found(&request.options, &mut watch) {
         Ok(found) => found,
-        Err(error) => return Outcome::Found(Err(error.describe())),
+        Err(error) => return Outcome::Failed(error.describe()),
     };
     let whole = Arc::clone(found.plans.calculation());
-    let found = Outcome::Found(Ok(Box::new(found)));
+    let found = Outcome::Found(Box::new(found));
     if request.purpose == Purpose::Difference {
         return found;
     }

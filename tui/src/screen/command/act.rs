@@ -1,11 +1,13 @@
 //! Commands that choose what is shown of the scene, and how.
 
+use assur_diagram::PlanSheet;
+use assur_picture::{Found, Plans, Results};
 use assur_words::{name, number, text};
 
 use super::{jobs, whatif};
 use crate::screen::state::{
-    FRAMES, PACES, Pictures, Purpose, Role, Scene, Source, State, View, ViewPart, Wanted, following,
-    next_kind, round,
+    FRAMES, PACES, Pictures, Purpose, Role, Source, State, View, ViewPart, Wanted, following, next_kind,
+    round,
 };
 
 /// An eighth of the positions forward or back.
@@ -16,33 +18,39 @@ pub(super) fn jump(state: &mut State, sense: isize) {
 
 /// Chooses the next (1) or previous (-1) item of the list in a view.
 pub(super) fn choose(state: &mut State, view: View, by: isize) {
-    let found = state.found();
-    let of_scene = |count: fn(&Scene) -> usize| state.scene.as_ref().map_or(0, count);
-    let count = match view {
-        View::Structure => of_scene(|scene| scene.linkage.structure.groups.len()),
-        View::Forces => found.map_or(0, |found| found.reactions.len()),
-        View::Motion => found.map_or(0, |found| found.motion.len()),
-        View::Checks => found.map_or(0, |found| found.analysis.checks.len()),
-        View::Results => found.map_or(0, |found| found.results.len()),
-        View::Table => of_scene(|scene| scene.column_count()),
-        View::Values => state.what_if.values.len(),
-        _ => of_scene(|scene| scene.transfers.len()),
-    };
-    let chosen = chosen(state, view);
+    let (chosen, count) = list(state, view);
     *chosen = round(*chosen, by, count);
 }
 
-pub(super) fn chosen(state: &mut State, view: View) -> &mut usize {
-    let chosen = &mut state.chosen;
-    match view {
-        View::Structure => &mut chosen.group,
-        View::Forces => &mut chosen.reaction,
-        View::Motion => &mut chosen.motion,
-        View::Checks => &mut chosen.check,
-        View::Results => &mut chosen.result,
-        View::Table => &mut chosen.column,
-        View::Values => &mut state.what_if.chosen,
-        _ => &mut chosen.transfer,
+/// The chosen item of the list in a view, and how many there are.
+pub(super) fn list(state: &mut State, view: View) -> (&mut usize, usize) {
+    let part = state.part(view);
+    let State { scene, chosen, what_if, position, .. } = state;
+    let scene = scene.as_ref().map(|scene| &scene.results);
+    let found = scene.and_then(|scene| scene.found.as_deref());
+    let of_scene = |count: fn(&Results) -> usize| scene.map_or(0, count);
+    let of_found = |count: fn(&Found) -> usize| found.map_or(0, count);
+    let of_plans = |count: fn(&Plans) -> usize| found.map_or(0, |found| count(&found.plans.at(*position)));
+    let of_sheet = |count: fn(&PlanSheet) -> usize| {
+        found.map_or(0, |found| found.plans.at(*position).sheet.as_ref().map_or(0, count))
+    };
+    match (view, part) {
+        (View::Structure, _) => (&mut chosen.group, of_scene(|scene| scene.linkage.structure.groups.len())),
+        (View::Forces, _) => (&mut chosen.reaction, of_found(|found| found.reactions.len())),
+        (View::Motion, _) => (&mut chosen.motion, of_found(|found| found.motion.len())),
+        (View::Checks, _) => (&mut chosen.check, of_found(|found| found.analysis.checks.len())),
+        (View::Results, _) => (&mut chosen.result, of_found(|found| found.results.len())),
+        (View::Table, _) => (&mut chosen.column, of_scene(Results::column_count)),
+        (View::Values, _) => (&mut what_if.chosen, what_if.values.len()),
+        (View::Plans, ViewPart::Construction) => (&mut chosen.step, of_plans(Plans::step_count)),
+        (View::Plans, ViewPart::Velocities) => {
+            (&mut chosen.vector, of_sheet(|sheet| sheet.velocities.items.len()))
+        }
+        (View::Plans, ViewPart::Accelerations) => {
+            (&mut chosen.vector, of_sheet(|sheet| sheet.accelerations.items.len()))
+        }
+        (View::Plans, _) => (&mut chosen.polygon, of_sheet(|sheet| sheet.polygons.len())),
+        _ => (&mut chosen.transfer, of_scene(|scene| scene.transfers.len())),
     }
 }
 
@@ -234,18 +242,4 @@ fn opened_in_view(state: &mut State) -> bool {
 /// Keeps the plan of this position beside that of the position that is shown, or removes it.
 pub(super) fn beside(state: &mut State) {
     state.held = if state.held.is_some() { None } else { Some(state.position) };
-}
-
-pub(super) fn plan_step(state: &mut State, by: isize) {
-    let Some(plans) = state.found().map(|found| found.plans.at(state.position)) else { return };
-    let count = |count: fn(&assur_diagram::PlanSheet) -> usize| plans.sheet.as_ref().map_or(0, count);
-    let part = state.part(View::Plans);
-    let chosen = &mut state.chosen;
-    let (chosen, count) = match part {
-        ViewPart::Construction => (&mut chosen.step, plans.step_count()),
-        ViewPart::Velocities => (&mut chosen.vector, count(|sheet| sheet.velocities.items.len())),
-        ViewPart::Accelerations => (&mut chosen.vector, count(|sheet| sheet.accelerations.items.len())),
-        _ => (&mut chosen.polygon, count(|sheet| sheet.polygons.len())),
-    };
-    *chosen = round(*chosen, by, count);
 }

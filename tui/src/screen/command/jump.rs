@@ -1,7 +1,6 @@
 //! To the place of a result, to the extremes of a quantity, between the positions too, and back.
 
 use assur_analysis::results::{Column, Owner, Quantity, Turn};
-use assur_picture::Among;
 use assur_report::topic::About;
 use assur_words::{Text, number, quantity, text};
 
@@ -114,8 +113,8 @@ fn to_extreme(state: &mut State, told: &'static str, turn: Option<Turn>) {
     let (value, place) = if found.value.is_finite() {
         // The end of a cycle is its first position only where the course closes there.
         let place = match scene.among(found.at, series.course.closes() != Some(false)) {
-            Among::At(position) => text!("place-in", position = number(position)),
-            Among::Between([one, other]) => {
+            [one, other] if one == other => text!("place-in", position = number(one)),
+            [one, other] => {
                 text!("place-between", at = at(), one = number(one), other = number(other))
             }
         };

@@ -1,12 +1,12 @@
 //! The commands of the `:` line and of the `/` line.
 
 use assur_fixtures::SCENES;
-use assur_picture::find;
+use assur_picture::{Look, Picture, find};
 use assur_words::{self as words, Text, text};
 
 use super::{act, jobs, motors, picker, report, whatif, write};
 use crate::screen::state::{
-    Group, Panels, Pictures, Role, SETTINGS, Scene, Source, State, View, ViewPart, Wanted,
+    Chosen, Group, Panels, Pictures, Role, SETTINGS, Scene, Source, State, View, Wanted,
 };
 use crate::screen::view::help::where_it_works;
 
@@ -234,60 +234,40 @@ pub(super) fn search(state: &mut State, text: &str) {
     }
     let wanted = text.to_lowercase();
     let found = match if state.values_open() { View::Values } else { state.view } {
-        View::Forces => reaction(state, &wanted),
-        View::Plans => plan(state, &wanted),
         View::Working | View::Accuracy => report::find(state, &wanted),
-        view @ (View::Values | View::Results | View::Checks | View::Structure) => row(state, view, text),
-        _ => quantity_of(state, &wanted),
+        view @ (View::Values | View::Results | View::Checks) => row(state, view, text),
+        _ => pictured(state, text),
     };
     if found.is_none() {
         state.say(Role::Bad, text!("say-not-found", text = words::name(text.to_owned())));
     }
 }
 
-/// Chooses the next reaction of a pair or a link of this name; `None` if there is none.
-fn reaction(state: &mut State, wanted: &str) -> Option<()> {
-    state.chosen.reaction = find::reaction(state.found()?, state.chosen.reaction, wanted)?;
-    Some(())
-}
-
-/// Chooses the construction of a force analyzer, at its last step, or the force polygon of a group.
-fn plan(state: &mut State, wanted: &str) -> Option<()> {
-    let plans = state.found()?.plans.at(state.position);
-    let told = |text: &Text| state.told(text);
-    match state.part(View::Plans) {
-        ViewPart::Construction => state.chosen.step = find::step(&plans, wanted, told)?,
-        ViewPart::Forces => state.chosen.polygon = find::polygon(&plans, wanted, told)?,
-        _ => return None,
-    }
-    Some(())
-}
-
 /// Chooses the next row of the list of a view in which a text occurs.
 fn row(state: &mut State, view: View, wanted: &str) -> Option<()> {
-    let scene = state.scene.as_ref()?;
-    let rows: Vec<Text> = match (view, &scene.found) {
+    let rows: Vec<Text> = match (view, state.found()) {
         (View::Values, _) => state.what_if.values.iter().map(|value| (&value.key).into()).collect(),
         (View::Results, Some(found)) => found.results.iter().map(|(_, fact)| fact.what()).collect(),
-        (View::Checks, Some(found)) => found.analysis.checks.iter().map(|check| check.name.clone()).collect(),
-        (_, Some(_)) => scene.group_names(),
+        (_, Some(found)) => found.analysis.checks.iter().map(|check| check.name.clone()).collect(),
         _ => return None,
     };
     let rows: Vec<String> = rows.into_iter().map(|row| state.told(row)).collect();
-    let chosen = act::chosen(state, view);
+    let (chosen, _) = act::list(state, view);
     *chosen = find::row(&rows, *chosen, wanted)?;
     Some(())
 }
 
-fn quantity_of(state: &mut State, wanted: &str) -> Option<()> {
+/// Chooses what the picture of the view shows, or a quantity.
+fn pictured(state: &mut State, wanted: &str) -> Option<()> {
     let scene = state.scene.as_ref()?;
-    let column = find::column(scene, state.chosen.column, wanted, |text| state.told(text))?;
-    let transfer = scene.transfers.iter().position(|transfer| transfer.orders.contains(&column));
-    let short = scene.column(column).map(|series| series.short.clone());
-    state.chosen.column = column;
-    state.chosen.transfer = transfer.unwrap_or(state.chosen.transfer);
+    let shown = (state.view.picture().unwrap_or(Picture::Curves), state.part(state.view));
+    let mut look = state.pictured();
+    look.choose(scene, shown, wanted, |text| state.told(text))?;
+    let Look { transfer, group, reaction, polygon, step, column, .. } = look;
     if state.view == View::Curves {
-        state.picked = if transfer.is_some() { Vec::new() } else { short.into_iter().collect() };
+        let alone = scene.column(column).filter(|_| scene.transfer_of(column).is_none());
+        state.picked = alone.map(|series| series.short.clone()).into_iter().collect();
     }
+    state.chosen = Chosen { transfer, group, reaction, polygon, step, column, ..state.chosen };
     Some(())
 }

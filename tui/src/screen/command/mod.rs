@@ -6,14 +6,13 @@ mod jump;
 mod line;
 mod modes;
 mod motors;
-mod outcome;
 mod picker;
 mod probe;
 mod report;
 mod table;
 mod whatif;
 mod write;
-pub(crate) use outcome::take;
+pub(crate) use jobs::take;
 pub(crate) use table::COMMANDS;
 
 use assur_words::{number, text};

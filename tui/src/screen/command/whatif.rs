@@ -145,8 +145,8 @@ pub(super) fn save_line(state: &mut State, file: &str) {
         let undo = name(state.keys.first("undo"));
         return state.say(Role::Bad, text!("say-change-not-taken", undo = undo));
     }
-    let content = state.what_if.changed_text().into_bytes();
-    let file = OutputFile { path: home(file), content, numbers: None, overwrite: false, scene: true };
+    let (path, content) = (home(file), state.what_if.changed_text().into_bytes());
+    let file = OutputFile { path, content, scene: true, ..OutputFile::default() };
     state.effects.push(Effect::Write(file));
 }
 

@@ -76,7 +76,7 @@ pub(super) fn write_to(state: &mut State, path: PathBuf) {
     };
     match content {
         Ok((content, numbers)) => {
-            let file = OutputFile { path, content, numbers, overwrite: false, scene: false };
+            let file = OutputFile { path, content, numbers, ..OutputFile::default() };
             state.effects.push(Effect::Write(file));
         }
         Err(error) => state.say(Role::Bad, error),

@@ -31,7 +31,7 @@ pub(crate) enum Effect {
     Keep,
 }
 
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(crate) struct OutputFile {
     /// Where; the numbers behind a picture have the same name with the ending `csv`.
     pub(crate) path: PathBuf,
@@ -121,9 +121,10 @@ pub(crate) enum Report {
 #[derive(Debug)]
 pub(crate) enum Outcome {
     Count(Text),
-    Found(Result<Box<Found>, Text>),
+    Found(Box<Found>),
     Checks(Checks),
-    Measured(Result<Box<Measured>, Text>),
+    Measured(Box<Measured>),
+    Failed(Text),
 }
 
 #[derive(Debug, Clone)]

@@ -19,6 +19,7 @@ use assur_analysis::results::Column;
 use assur_figure::Figure;
 use assur_words::{Language, Text, number, text};
 use ratatui::layout::Rect;
+use ratatui::style::Style;
 
 pub(crate) use crate::session::Source;
 pub(crate) use assur_figure::Zoom;
@@ -142,6 +143,10 @@ impl State {
         if self.look.ascii { assur_words::latin(&told).into_owned() } else { told }
     }
 
+    pub(crate) fn style(&self, role: Role) -> Style {
+        self.look.theme.style(role)
+    }
+
     /// Whether figures are shown as pictures now: not below a list or a text that is open.
     pub(crate) fn shows_pictures(&self) -> bool {
         let covered = self.help.is_some() || self.picker.is_some() || self.fault.is_some();
@@ -214,7 +219,7 @@ impl State {
     }
 
     pub(crate) fn pictured(&self) -> assur_picture::Look<'_> {
-        let Chosen { transfer, group, reaction, polygon, step, motion, .. } = self.chosen;
+        let Chosen { transfer, group, reaction, polygon, step, motion, column, .. } = self.chosen;
         assur_picture::Look {
             position: self.position,
             part: self.part_way(),
@@ -225,6 +230,7 @@ impl State {
             polygon,
             step,
             motion,
+            column,
             picked: &self.picked,
             arrows: self.arrows,
             traces: self.traces,

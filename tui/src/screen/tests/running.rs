@@ -49,7 +49,7 @@ fn an_analysis_that_is_stopped_ends_and_its_answer_is_dropped() {
         assert!(text(&state, 80, 24).contains("stopped; r calculates again"), "{key}");
         // The worker sees the sign: it has nothing to tell.
         let answer = work::run(&job, &|report| panic!("{report:?}"));
-        assert!(matches!(&answer, Report::Calculated(_, Outcome::Found(Err(_)))), "{answer:?}");
+        assert!(matches!(&answer, Report::Calculated(_, Outcome::Failed(_))), "{answer:?}");
         assert!(!command::take(&mut state, answer));
         assert!(!command::take(&mut state, Report::Calculated(number, Outcome::Checks(Checks::default()))));
         // What was found before stays.

@@ -61,7 +61,7 @@ fn a_scene_that_is_wrong_keeps_the_old_result() {
 #[test]
 fn an_answer_to_an_older_scene_is_dropped() {
     let mut state = opened("shaper");
-    let report = Report::Calculated(99, Outcome::Found(Err(assur_words::name("late"))));
+    let report = Report::Calculated(99, Outcome::Failed(assur_words::name("late")));
     assert!(!command::take(&mut state, report));
     assert!(state.message.is_none());
 }

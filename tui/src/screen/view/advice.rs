@@ -11,7 +11,7 @@ use crate::screen::state::{Role, Scene, State, View};
 pub(super) fn draw(state: &State, scene: &Scene, view: View, area: Rect, buffer: &mut Buffer) {
     let width = usize::from(area.width.max(12)) - 4;
     for (row, line) in rows(&state.told(text(state, scene, view)), width).iter().enumerate() {
-        put(buffer, area, 2, short(row) + 1, line, state.look.theme.style(Role::Plain));
+        put(buffer, area, 2, short(row) + 1, line, state.style(Role::Plain));
     }
 }
 
@@ -30,7 +30,7 @@ pub(super) fn text(state: &State, scene: &Scene, view: View) -> Text {
         return calculating(state, running);
     }
     let Some(picture) = view.picture() else { return text!("nothing-here") };
-    let missing = picture.missing(scene, &state.pictured(), state.part(view));
+    let (why, can_be_added) = picture.missing(scene, &state.pictured(), state.part(view));
     let again = || text!("advice-reread", key = name(state.keys.first("reload")));
-    joined("\n\n", std::iter::once(missing.why).chain(missing.can_be_added.then(again)))
+    joined("\n\n", std::iter::once(why).chain(can_be_added.then(again)))
 }

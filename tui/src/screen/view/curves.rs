@@ -24,8 +24,8 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
     let legend = state.told(legend);
     let column = title.width.saturating_sub(short(legend.chars().count()) + 1);
     let header = cut(&state.told(&figure.title), usize::from(column.saturating_sub(2)));
-    put(buffer, title, 1, 0, &header, state.look.theme.style(Role::Header));
-    put(buffer, title, column, 0, &legend, state.look.theme.style(Role::Dim));
+    put(buffer, title, 1, 0, &header, state.style(Role::Header));
+    put(buffer, title, column, 0, &legend, state.style(Role::Dim));
     paint(state, &figure, charts, buffer);
 }
 

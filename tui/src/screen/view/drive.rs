@@ -2,8 +2,7 @@
 //! and other motors.
 
 use assur_analysis::results::Dynamics;
-use assur_picture::drive::figure;
-use assur_picture::in_a_line;
+use assur_picture::{in_a_line, regime};
 use assur_report::text::Line;
 use assur_report::topic::{self, Source};
 use assur_words::{Describe, Text, name, text};
@@ -39,10 +38,10 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
     let [title, area] = Layout::vertical([Constraint::Length(1), Constraint::Min(0)]).areas(area);
     let facts = topic::regime_facts(&found.analysis);
     let heading = in_a_line(&facts, &["fact-unevenness", "fact-mean-speed", "fact-flywheel"]);
-    put(buffer, title, 1, 0, &state.told(heading), state.look.theme.style(Role::Header));
+    put(buffer, title, 1, 0, &state.told(heading), state.style(Role::Header));
     match state.part(View::Drive) {
         ViewPart::Curves | ViewPart::EnergyMass | ViewPart::Inertia | ViewPart::Reduction => {
-            paint(state, &figure(scene, &state.pictured(), state.part(View::Drive), 1), area, buffer);
+            paint(state, &regime::drive(scene, &state.pictured(), state.part(View::Drive), 1), area, buffer);
         }
         ViewPart::Places => {
             let lines = whole(state, scene, area.width);
@@ -52,7 +51,12 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
             page::draw(state, &lines[skip..], &|_| Role::Plain, area, buffer);
             if area.height > rows + PLOTS {
                 let below = Rect { y: area.y + rows, height: area.height - rows, ..area };
-                paint(state, &figure(scene, &state.pictured(), state.part(View::Drive), 2), below, buffer);
+                paint(
+                    state,
+                    &regime::drive(scene, &state.pictured(), state.part(View::Drive), 2),
+                    below,
+                    buffer,
+                );
             }
         }
         _ => overview(state, scene, found, dynamics, area, buffer),
@@ -77,7 +81,7 @@ fn overview(
     let rows = short(lines.len().max(numbers.len())) + 1;
     if area.height > rows + PLOTS {
         let below = Rect { y: area.y + rows, height: area.height - rows, ..area };
-        paint(state, &figure(scene, &state.pictured(), state.part(View::Drive), 2), below, buffer);
+        paint(state, &regime::drive(scene, &state.pictured(), state.part(View::Drive), 2), below, buffer);
     }
 }
 
@@ -88,7 +92,7 @@ fn warned(state: &State, dynamics: &Dynamics, area: Rect, buffer: &mut Buffer) -
     let more = state.told(text!("drive-warning-more", key = name(state.keys.first("part"))));
     let room = usize::from(area.width.saturating_sub(6)).saturating_sub(more.width());
     let first = state.told(first.describe());
-    put(buffer, line, 1, 0, &format!("! {}  {more}", cut(&first, room)), state.look.theme.style(Role::Bad));
+    put(buffer, line, 1, 0, &format!("! {}  {more}", cut(&first, room)), state.style(Role::Bad));
     rest
 }
 

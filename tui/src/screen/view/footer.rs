@@ -14,38 +14,37 @@ use crate::screen::state::{Command, Key, PickerKind, PromptKind, Role, Running, 
 const OWN: usize = 4;
 
 pub(super) fn draw(state: &State, area: Rect, buffer: &mut Buffer) {
-    let theme = state.look.theme;
     if let Some(prompt) = &state.prompt {
         let sign = if prompt.kind == PromptKind::Command { ':' } else { '/' };
         let text = format!("{sign}{}", prompt.text);
         // The end of a long line is what is being written.
         let skip = text.chars().count().saturating_sub(usize::from(area.width).saturating_sub(2));
         let text: String = text.chars().skip(skip).collect();
-        put(buffer, area, 0, 1, &text, theme.style(Role::Plain));
-        put(buffer, area, short(text.width()), 1, " ", theme.style(Role::Cursor));
+        put(buffer, area, 0, 1, &text, state.style(Role::Plain));
+        put(buffer, area, short(text.width()), 1, " ", state.style(Role::Cursor));
     } else if let Some(file) = &state.question {
         let file = name(file.path.display().to_string());
-        put(buffer, area, 1, 1, &state.told(text!("overwrite", file = file)), theme.style(Role::Bad));
+        put(buffer, area, 1, 1, &state.told(text!("overwrite", file = file)), state.style(Role::Bad));
     } else if let Some((role, text)) = &state.message {
         let told = state.told(text);
         let lines = wrapped(&told, usize::from(area.width.saturating_sub(2)).max(1));
         // A long message takes the row of the keys too.
         if let ([one, other, ..], None) = (&lines[..], &state.picker) {
-            put(buffer, area, 1, 0, one, theme.style(*role));
-            put(buffer, area, 1, 1, other, theme.style(*role));
+            put(buffer, area, 1, 0, one, state.style(*role));
+            put(buffer, area, 1, 1, other, state.style(*role));
             return;
         }
-        put(buffer, area, 1, 1, &told, theme.style(*role));
+        put(buffer, area, 1, 1, &told, state.style(*role));
     } else if let Some(failure) = failure(state) {
-        put(buffer, area, 1, 0, &state.told(failure), theme.style(Role::Bad));
+        put(buffer, area, 1, 0, &state.told(failure), state.style(Role::Bad));
     } else if let Some(running) = state.analyzing() {
         let text = calculating(state, running);
-        put(buffer, area, 1, 0, &state.told(text), theme.style(Role::Dim));
+        put(buffer, area, 1, 0, &state.told(text), state.style(Role::Dim));
     }
     match (&state.help, &state.picker, &state.message) {
         // The line that is written stands below.
         (.., Some((role, text))) if state.prompt.is_some() => {
-            put(buffer, area, 1, 0, &state.told(text), theme.style(*role));
+            put(buffer, area, 1, 0, &state.told(text), state.style(*role));
         }
         (None, Some(picker), _) => {
             let mark =
@@ -53,7 +52,7 @@ pub(super) fn draw(state: &State, area: Rect, buffer: &mut Buffer) {
             let limits = if picker.kind == PickerKind::Motors { "  :motors 1.5 kW, 1500 rpm" } else { "" };
             let close = name(state.keys.first("close"));
             let text = state.told(text!("list-keys", mark = mark, close = close)) + limits;
-            put(buffer, area, 1, 0, &text, theme.style(Role::Plain));
+            put(buffer, area, 1, 0, &text, state.style(Role::Plain));
         }
         _ => draw_hints(state, area, buffer),
     }
@@ -78,7 +77,7 @@ fn failure(state: &State) -> Option<&Text> {
 
 /// The keys of this view, in both rows where nothing else is said; the keys of the program stand at the right.
 fn draw_hints(state: &State, area: Rect, buffer: &mut Buffer) {
-    let (theme, language) = (state.look.theme, state.language());
+    let language = state.language();
     let below = state.prompt.is_some() || state.question.is_some() || state.message.is_some();
     let above = !below && (failure(state).is_some() || state.analyzing().is_some());
     let fixed = ["command", "quit", "help"]
@@ -107,14 +106,14 @@ fn draw_hints(state: &State, area: Rect, buffer: &mut Buffer) {
             if column + width > room {
                 break;
             }
-            put(buffer, area, column, *row, &key, theme.style(Role::Key));
-            put(buffer, area, column + short(key.width()) + 1, *row, hint, theme.style(Role::Plain));
+            put(buffer, area, column, *row, &key, state.style(Role::Key));
+            put(buffer, area, column + short(key.width()) + 1, *row, hint, state.style(Role::Plain));
             column += width;
             hints.next();
         }
     }
     let column = area.width.saturating_sub(short(fixed.width()) + 1);
-    put(buffer, area, column, rows[rows.len() - 1], &fixed, theme.style(Role::Plain));
+    put(buffer, area, column, rows[rows.len() - 1], &fixed, state.style(Role::Plain));
 }
 
 /// Commands that have a key now: first stepping, then the list of values, the commands of the view alone, and the
@@ -192,10 +191,10 @@ pub(crate) fn draw_fault(state: &State, [title, fault]: [&Text; 2], area: Rect, 
     let height = (lines + 2).min(area.height);
     let place = Rect::new(area.x, area.y + (area.height - height) / 2, area.width, height);
     Clear.render(place, buffer);
-    let block = Block::bordered().title(title).style(state.look.theme.style(Role::Plain));
+    let block = Block::bordered().title(title).style(state.style(Role::Plain));
     let inner = block.inner(place);
     block.render(place, buffer);
     for (row, line) in fault.iter().enumerate() {
-        put(buffer, inner, 0, short(row), line, state.look.theme.style(Role::Plain));
+        put(buffer, inner, 0, short(row), line, state.style(Role::Plain));
     }
 }

@@ -1,15 +1,21 @@
-//! Reactions of the position as a table, with their curves.
+//! Reactions of the position as a table, with their curves; and the chosen one by cause.
 
 use assur_book::{Cell, Column, Table, Unit};
+use assur_diagram::Split;
+use assur_picture::causes::{CauseShare, part, parts, sum};
 use assur_picture::forces::{difference, figure, heading};
-use assur_words::{Text, name, number, text};
+use assur_picture::plans::has_forces;
+use assur_report::topic::{direction, force_heads};
+use assur_words::{Text, joined, name, number, text};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
-use super::{causes, page};
+use super::page;
 use crate::screen::draw::{paint, put, short};
 use crate::screen::state::{Found, Reaction, Role, Scene, State, View, ViewPart};
 
+/// A share this small compared with the greatest one counts as zero.
+const ROUNDING: f64 = 1e-13;
 /// Rows of a chart below the table.
 const BELOW: u16 = 9;
 /// Rows that a chart needs at least.
@@ -17,7 +23,6 @@ const LEAST: u16 = 5;
 
 pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer) {
     let Some(found) = &scene.found else { return };
-    let theme = state.look.theme;
     let [title, rest] = Layout::vertical([Constraint::Length(1), Constraint::Min(0)]).areas(area);
     put(
         buffer,
@@ -25,7 +30,7 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
         1,
         0,
         &state.told(heading(scene, &state.pictured(), found)),
-        theme.style(Role::Header),
+        state.style(Role::Header),
     );
     match state.part(View::Forces) {
         ViewPart::Overview => {
@@ -40,7 +45,7 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
                 paint(state, &figure(scene, &state.pictured(), state.part(View::Forces)), below, buffer);
             }
         }
-        ViewPart::Causes => causes::draw(state, scene, found, rest, buffer),
+        ViewPart::Causes => draw_causes(state, scene, found, rest, buffer),
         _ => paint(state, &figure(scene, &state.pictured(), state.part(View::Forces)), rest, buffer),
     }
 }
@@ -49,7 +54,7 @@ fn draw_table(state: &State, scene: &Scene, found: &Found, area: Rect, buffer: &
     let (letter, of) = if scene.other.is_some() { ("|dF|", Unit::FORCE) } else { ("M", Unit::MOMENT) };
     let last = Column::short(name(letter), of);
     let rows = found.reactions.iter().map(|reaction| cells(state, scene, found, reaction));
-    let table = Table::list(Text::default(), causes::heads(text!("forces-pair"), last)).rows(rows);
+    let table = Table::list(Text::default(), heads(text!("forces-pair"), last)).rows(rows);
     let lines = page::told(state, area.width.saturating_sub(2), |page| page.table(table));
     // The balancing load, the last one, stays in sight below the reactions.
     let pinned = usize::from(found.balancing().is_some());
@@ -66,9 +71,87 @@ fn cells(state: &State, scene: &Scene, found: &Found, reaction: &Reaction) -> [C
     if let [index] = reaction.series[..] {
         let series = &found.series[index];
         let load = apart.unwrap_or_else(|| Cell::Text(series.show(state.position)));
-        return causes::row(own.short(), None, load);
+        return row(own.short(), None, load);
     }
     let force = value(reaction.series[0]).zip(value(reaction.series[1])).map(|(x, y)| [x, y]);
     let moment = || reaction.moment.map_or_else(|| Text::default().into(), |index| value(index).into());
-    causes::row(own, Some(force.unwrap_or([f64::NAN; 2])), apart.unwrap_or_else(moment))
+    row(own, Some(force.unwrap_or([f64::NAN; 2])), apart.unwrap_or_else(moment))
+}
+
+/// The chosen reaction by cause.
+fn draw_causes(state: &State, scene: &Scene, found: &Found, area: Rect, buffer: &mut Buffer) {
+    let Some(reaction) = found.reactions.get(state.chosen.reaction) else { return };
+    let plans = found.plans.at(state.position);
+    let Some(split) = plans.by_cause().filter(|_| has_forces(found, state.position)) else {
+        put(buffer, area, 1, 0, &state.told(text!("forces-not-determined")), state.style(Role::Plain));
+        return;
+    };
+    let title = text!("forces-by-cause", reaction = &reaction.name);
+    put(buffer, area, 1, 0, &state.told(title), state.style(Role::Header));
+    let parts = parts(split, reaction);
+    let below = Rect { y: area.y + 1, height: area.height.saturating_sub(1), ..area };
+    // Header, sum and total are always shown.
+    let room = usize::from(below.height).saturating_sub(4);
+    let table = table_of_causes(found, split, reaction, &parts, room);
+    let lines = page::told(state, area.width.saturating_sub(2), |page| page.table(table));
+    let rows = Constraint::Length(short(lines.len() + 1).min(below.height));
+    let [rows, below] = Layout::vertical([rows, Constraint::Min(0)]).areas(below);
+    page::draw(state, &lines, &|_| Role::Plain, rows, buffer);
+    paint(state, &figure(scene, &state.pictured(), ViewPart::Causes), below, buffer);
+}
+
+/// A row for each cause, their sum, and the total of the analyzer. Causes without room in so many rows are summarized.
+fn table_of_causes(
+    found: &Found,
+    split: &Split,
+    reaction: &Reaction,
+    parts: &[CauseShare],
+    room: usize,
+) -> Table {
+    let head = if reaction.of.is_some() { name("M") } else { Text::default() };
+    let is_moment = reaction.of.is_some() || found.analysis.input.balancing_is_moment;
+    let last = Column::short(head, Unit::load(is_moment));
+    let sum_of_all = sum(parts, text!("forces-sum"));
+    let whole = part(&split.whole, reaction);
+    let whole = CauseShare { cause: text!("forces-whole", method = name(found.analyzer.clone())), ..whole };
+    let least = ROUNDING * parts.iter().chain([&whole]).map(size).fold(0.0, f64::max);
+    let clean = |value: f64| if value.abs() <= least { 0.0 } else { value };
+    let cells = |part: CauseShare| {
+        let force = part.force.map(|force| force.map(clean));
+        row(
+            part.cause,
+            force,
+            part.scalar.map_or_else(|| Text::default().into(), |value| clean(value).into()),
+        )
+    };
+    let single = if parts.len() > room { room.saturating_sub(1) } else { parts.len() };
+    let numbered = parts.iter().enumerate().take(single).map(|(index, part)| CauseShare {
+        cause: joined(" ", [number(index + 1), part.cause.clone()]),
+        ..*part
+    });
+    let rest = &parts[single..];
+    let more = (!rest.is_empty()).then(|| sum(rest, text!("forces-more-causes", count = rest.len())));
+    let all = numbered.chain(more).chain([sum_of_all, whole]);
+    Table::list(Text::default(), heads(text!("forces-cause"), last)).rows(all.map(cells))
+}
+
+fn size(part: &CauseShare) -> f64 {
+    part.force.map_or_else(|| part.scalar.map_or(0.0, f64::abs), |[x, y]| x.hypot(y))
+}
+
+/// The columns of a table of forces: whose it is, projections, modulus and direction, and one of its own.
+fn heads(first: Text, last: Column) -> [Column; 6] {
+    let [x, y, size] = force_heads();
+    let direction = Column::short(text!("forces-direction"), Unit::ANGLE);
+    [Column::of(first), x, y, size, direction, last]
+}
+
+/// A row of it; nothing in the columns of a force where there is no vector.
+fn row(first: Text, force: Option<[f64; 2]>, last: Cell) -> [Cell; 6] {
+    let none = || Cell::Text(Text::default());
+    let [x, y, size, direction] = force.map_or_else(
+        || [none(), none(), none(), none()],
+        |force| [force[0].into(), force[1].into(), force[0].hypot(force[1]).into(), direction(force).into()],
+    );
+    [first.into(), x, y, size, direction, last]
 }

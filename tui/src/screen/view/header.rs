@@ -14,7 +14,7 @@ use crate::screen::state::{Role, Scene, State, View, coordinate_unit};
 const KEY_ROOM: usize = 20;
 
 pub(super) fn draw(state: &State, area: Rect, buffer: &mut Buffer) {
-    let style = state.look.theme.style(Role::Header);
+    let style = state.style(Role::Header);
     let Some(scene) = &state.scene else {
         put(buffer, area, 0, 0, concat!("assur ", env!("CARGO_PKG_VERSION")), style);
         return;
@@ -28,7 +28,7 @@ pub(super) fn draw(state: &State, area: Rect, buffer: &mut Buffer) {
         Some(text) => (Role::Header, text),
         None => (Role::Plain, state.told(title(state, scene))),
     };
-    put(buffer, area, column, 0, &text, state.look.theme.style(role));
+    put(buffer, area, column, 0, &text, state.style(role));
     draw_tabs(state, area, buffer);
 }
 
@@ -68,7 +68,6 @@ fn position(state: &State, scene: &Scene) -> String {
 }
 
 fn draw_tabs(state: &State, area: Rect, buffer: &mut Buffer) {
-    let theme = state.look.theme;
     let language = state.language();
     let tabs = View::TABS.map(|view| (state.keys.first(view.command()), view));
     let whole: usize =
@@ -79,10 +78,10 @@ fn draw_tabs(state: &State, area: Rect, buffer: &mut Buffer) {
     for (key, view) in tabs {
         let [key_role, role] = if view == state.view { [Role::Tab; 2] } else { [Role::Key, Role::Dim] };
         let key = format!("{key}{}", if fit || key.width() > 1 { " " } else { "" });
-        put(buffer, area, column, 1, &key, theme.style(key_role));
+        put(buffer, area, column, 1, &key, state.style(key_role));
         column += short(key.width());
         let name = if fit { view.name().render(language) } else { view.short_name(language) };
-        put(buffer, area, column, 1, &name, theme.style(role));
+        put(buffer, area, column, 1, &name, state.style(role));
         column += short(name.width()) + 1;
     }
 }

@@ -40,7 +40,6 @@ type Pieces = Vec<(u16, Role, String)>;
 
 pub(super) fn draw(state: &State, area: Rect, buffer: &mut Buffer) {
     let Some(help) = &state.help else { return };
-    let theme = state.look.theme;
     Clear.render(area, buffer);
     let search =
         if help.filter.typing { format!("/{}", help.filter.text) } else { state.told(text!("help-search")) };
@@ -50,14 +49,14 @@ pub(super) fn draw(state: &State, area: Rect, buffer: &mut Buffer) {
     let rows = rows(state, help);
     for (line, row) in rows.iter().skip(help.scroll).take(usize::from(inner.height)).enumerate() {
         for (column, role, text) in row {
-            put(buffer, inner, *column, short(line), text, theme.style(*role));
+            put(buffer, inner, *column, short(line), text, state.style(*role));
         }
     }
     let shown = help.scroll + usize::from(inner.height);
     if rows.len() > shown || help.scroll > 0 {
         let text = format!("{}-{} / {}", help.scroll + 1, shown.min(rows.len()), rows.len());
         let column = area.width.saturating_sub(short(text.len()) + 2);
-        put(buffer, area, column, 0, &text, theme.style(Role::Plain));
+        put(buffer, area, column, 0, &text, state.style(Role::Plain));
     }
 }
 

@@ -1,21 +1,30 @@
-//! The mechanism to scale, with the numbers of the position beside it.
+//! The mechanism to scale, with the numbers of the position beside it: coordinate, speed, the chosen quantity, every link and slide.
 
+use assur_analysis::results::{Column, Owner, Quantity};
+use assur_book::catalogue;
+use assur_figure::cells::{cell_width, point_at};
+use assur_figure::{Figure, Ink, Stroke};
+use assur_mechanism::Motion;
+use assur_picture::arrows;
 use assur_picture::mechanism::figure;
+use assur_words::{self as words, Text, joined, quantity, text};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
-use super::panel;
-use crate::screen::draw::{cells, paint_zoomed};
-use crate::screen::state::{Scene, State};
+use crate::number::digits;
+use crate::screen::draw::{cells, paint_zoomed, put_lines, wrapped};
+use crate::screen::state::{Probe, Role, Scene, State};
 
 /// Columns of the numbers next to the drawing.
 const PANEL: u16 = 26;
+/// Longest shaft of an arrow of the legend, in columns.
+const SHAFT: f64 = 12.0;
 
 pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer) {
     let [drawing, beside] = parts(area);
     let figure = figure(scene, &state.pictured(), &[]);
     paint_zoomed(state, &figure, state.zoom, drawing, buffer);
-    panel::draw(state, scene, &figure, drawing, beside, buffer);
+    draw_numbers(state, scene, &figure, drawing, beside, buffer);
 }
 
 fn parts(area: Rect) -> [Rect; 2] {
@@ -28,5 +37,114 @@ pub(crate) fn place_at(state: &State, area: Rect, [column, row]: [u16; 2]) -> Op
     let [drawing, _] = parts(area);
     let cell = [column.checked_sub(drawing.x)?, row.checked_sub(drawing.y)?];
     let size = [drawing.width, drawing.height];
-    assur_figure::cells::point_at(figure.panels.first()?, size, cells(state, state.zoom), cell)
+    point_at(figure.panels.first()?, size, cells(state, state.zoom), cell)
+}
+
+/// The numbers beside the drawing of a figure.
+fn draw_numbers(
+    state: &State,
+    scene: &Scene,
+    figure: &Figure,
+    drawing: Rect,
+    area: Rect,
+    buffer: &mut Buffer,
+) {
+    let plain = |text: String| (Role::Plain, text);
+    let mut lines: Vec<_> = input(state, scene).into_iter().map(|text| plain(state.told(text))).collect();
+    lines.push(plain(String::new()));
+    if let Some(broken) = scene.broken.get(&state.position) {
+        let rows = wrapped(&state.told(&broken.why), usize::from(area.width.max(8)) - 2);
+        lines.extend(rows.into_iter().map(|line| (Role::Bad, line)));
+    } else {
+        match &state.probe {
+            Some(probe) => lines.extend(of_probe(state, scene, probe)),
+            None => lines.extend(quantities(state, scene)),
+        }
+        // The legend and the scale of the arrows, at the foot of the panel.
+        let legend = legend(state, scene, figure, drawing);
+        lines.resize(usize::from(area.height).saturating_sub(legend.len() + 1), plain(String::new()));
+        lines.extend(legend);
+    }
+    put_lines(buffer, area, 1, state, &lines);
+}
+
+fn legend(state: &State, scene: &Scene, figure: &Figure, drawing: Rect) -> Vec<(Role, String)> {
+    let Some(panel) = figure.panels.first() else { return Vec::new() };
+    let Some(width) = cell_width(panel, [drawing.width, drawing.height], cells(state, state.zoom)) else {
+        return Vec::new();
+    };
+    let mut lines = Vec::new();
+    for (what, size, length, (stroke, ink)) in arrows::scales(scene, &state.pictured()) {
+        let (role, dash) = (Role::Drawn(ink), if stroke == Stroke::Solid { '-' } else { '.' });
+        let shaft = (0..).take_while(|dash| f64::from(*dash) < (length / width).clamp(1.0, SHAFT));
+        let shaft: String = shaft.map(|_| dash).collect();
+        lines.extend([(role, state.told(what)), (role, format!(" {shaft}> {}", state.told(size)))]);
+    }
+    lines
+}
+
+fn input(state: &State, scene: &Scene) -> Vec<Text> {
+    let at = state.position;
+    let mut lines = vec![text!("panel-coordinate", value = scene.series[0].show(at))];
+    let unit = if scene.linkage.angular() { "rad/s" } else { "m/s" };
+    let found = scene.found.as_ref();
+    // In a steady regime the speed is a result, one for each position.
+    let of_input = Column::of(Quantity::Velocity, Owner::Input);
+    let own = found.and_then(|found| found.series.iter().find(|series| series.column == of_input));
+    let speed = match scene.linkage.mechanism.motion {
+        Some(Motion::Prescribed { speed, .. }) => Some(quantity(digits(speed, 5), unit)),
+        _ => own.map(|series| series.show(at)),
+    };
+    lines.extend(speed.map(|speed| text!("panel-speed", value = speed)));
+    let balancing = found.and_then(|found| found.balancing());
+    lines.extend(balancing.map(|series| text!("panel-balance", value = series.show(at))));
+    lines
+}
+
+/// The moved point: its place on the link and in the plane, size and length of its path, radius of curvature.
+fn of_probe(state: &State, scene: &Scene, probe: &Probe) -> Vec<(Role, String)> {
+    let Some(pose) = scene.pose(state.position, state.part_way()) else { return Vec::new() };
+    let found = probe.measured(scene, &pose);
+    let [width, height] = found.size;
+    let mm = |value: f64, unit| quantity(digits(1e3 * value, 5), unit);
+    let radius = found.radius.map_or_else(|| text!("panel-infinite"), |radius| mm(radius, "mm"));
+    let separator = if state.language().code == "en" { ", " } else { "; " };
+    let [own, here] = [probe.at, found.place].map(|[x, y]| joined(separator, [mm(x, ""), mm(y, "")]));
+    let (number, link) = (words::number(probe.link), &scene.linkage.mechanism.links[probe.link].name);
+    let rows = [
+        (1, text!("panel-in-frame")),
+        (2, own),
+        (1, text!("panel-in-plane")),
+        (2, here),
+        (1, text!("panel-path", width = mm(width, ""), height = mm(height, "mm"))),
+        (1, text!("panel-path-length", length = mm(found.length, "mm"))),
+        (1, text!("panel-radius")),
+        (2, radius),
+    ];
+    let rows = rows.map(|(indent, text)| (Role::Plain, " ".repeat(indent) + &state.told(text)));
+    let title = state.told(text!("panel-point-on", number = number, link = link));
+    std::iter::once((Role::Header, title)).chain(rows).collect()
+}
+
+/// PF0, PF1, PF2 of the chosen quantity, then PF0 of the others.
+fn quantities(state: &State, scene: &Scene) -> Vec<(Role, String)> {
+    let Some(transfer) = scene.transfers.get(state.chosen.transfer) else { return Vec::new() };
+    let show = |index: usize| state.told(scene.series[index].show(state.position));
+    let mut lines = vec![(Role::Header, state.told(&transfer.name))];
+    lines.extend(transfer.orders.iter().map(|index| {
+        let order = catalogue::kind(scene.series[*index].column);
+        (Role::Plain, format!(" {} {}", state.told(order), show(*index)))
+    }));
+    lines.push((Role::Plain, String::new()));
+    let others = scene.transfers.iter().filter(|other| other.name != transfer.name);
+    lines.extend(others.map(|other| {
+        let first = other.orders[0];
+        let text = format!("{} {}", state.told(&scene.series[first].head), show(first));
+        // A link has its number in the drawing.
+        match other.owner {
+            Owner::Link(number) => (Role::Drawn(Ink::Link(number)), format!("{number} {text}")),
+            _ => (Role::Plain, text),
+        }
+    }));
+    lines
 }

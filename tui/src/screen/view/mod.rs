@@ -2,7 +2,6 @@
 
 mod advice;
 mod ascii;
-mod causes;
 mod checks;
 pub(crate) mod curves;
 mod drive;
@@ -13,7 +12,6 @@ pub(crate) mod help;
 pub(crate) mod mechanism;
 mod motion;
 mod page;
-mod panel;
 pub(crate) mod picker;
 mod plans;
 pub(crate) mod report;
@@ -152,14 +150,13 @@ pub(crate) fn draw_view(state: &State, view: View, area: Rect, buffer: &mut Buff
 
 /// Draws a view beside the chosen one: its figure alone if it has one, under the name of the view.
 fn draw_panel(state: &State, view: View, area: Rect, buffer: &mut Buffer) {
-    let theme = state.look.theme;
     let [title, inside] = Layout::vertical([Constraint::Length(1), Constraint::Min(0)]).areas(Rect {
         x: area.x + 1,
         width: area.width.saturating_sub(1),
         ..area
     });
     for row in 0..area.height {
-        put(buffer, area, 0, row, "│", theme.style(Role::Dim));
+        put(buffer, area, 0, row, "│", state.style(Role::Dim));
     }
     let figure = figure(state, view);
     let heading = match (&figure, &state.scene) {
@@ -169,7 +166,7 @@ fn draw_panel(state: &State, view: View, area: Rect, buffer: &mut Buffer) {
         (None, _) => String::new(),
     };
     let heading = format!("{} {}  {heading}", state.keys.first(view.command()), state.told(view.name()));
-    put(buffer, title, 0, 0, &cut(heading.trim_end(), usize::from(title.width)), theme.style(Role::Header));
+    put(buffer, title, 0, 0, &cut(heading.trim_end(), usize::from(title.width)), state.style(Role::Header));
     match figure {
         Some(figure) => paint(state, &figure, inside, buffer),
         None => draw_view(state, view, inside, buffer),

@@ -26,7 +26,7 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
     let (role, text) = (role(found), heading(found));
     let [title, area] =
         Layout::vertical([Constraint::Length(u16::from(!text.is_empty())), Constraint::Min(0)]).areas(area);
-    put(buffer, title, 1, 0, &state.told(text), state.look.theme.style(role));
+    put(buffer, title, 1, 0, &state.told(text), state.style(role));
     // The tables need the whole width.
     if state.part(View::Motion) == ViewPart::Iteration {
         return iteration(state, scene, found, area, buffer);

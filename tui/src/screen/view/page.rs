@@ -41,9 +41,9 @@ pub(super) fn draw(
             LineKind::Row(number) => of_row(number),
             LineKind::Words | LineKind::Rule => Role::Plain,
         };
-        put(buffer, area, 1, short(row), &line.text, state.look.theme.style(role));
+        put(buffer, area, 1, short(row), &line.text, state.style(role));
         if role == Role::Cursor && before != Some(line.kind) {
-            put(buffer, area, 0, short(row), ">", state.look.theme.style(role));
+            put(buffer, area, 0, short(row), ">", state.style(role));
         }
         before = Some(line.kind);
     }

@@ -24,12 +24,11 @@ pub(super) fn draw(state: &State, picker: &Picker, area: Rect, buffer: &mut Buff
         PickerKind::Motors => rest.width,
     };
     let [list, picture] = Layout::horizontal([Constraint::Length(width), Constraint::Min(0)]).areas(rest);
-    let theme = state.look.theme;
-    put(buffer, title, 1, 0, &state.told(&picker.heading), theme.style(Role::Header));
+    put(buffer, title, 1, 0, &state.told(&picker.heading), state.style(Role::Header));
     let left = picker.left();
     let [some, all] = [left.len(), picker.rows.len()].map(number);
     let count = state.told(text!("picker-count", left = some, all = all));
-    put(buffer, title, 1, 1, &format!("/{}  ({count})", picker.filter.text), theme.style(Role::Key));
+    put(buffer, title, 1, 1, &format!("/{}  ({count})", picker.filter.text), state.style(Role::Key));
     let height = usize::from(list.height);
     // The chosen row is the last at most.
     let shown = left.iter().enumerate().skip((picker.chosen + 1).saturating_sub(height)).take(height);
@@ -37,7 +36,7 @@ pub(super) fn draw(state: &State, picker: &Picker, area: Rect, buffer: &mut Buff
         let (sign, role) = if index == picker.chosen { ('>', Role::Cursor) } else { (' ', Role::Plain) };
         let mark = if picker.marked.contains(&choice.name) { '*' } else { ' ' };
         let text = cut(&choice.text, usize::from(list.width.saturating_sub(4)));
-        put(buffer, list, 1, short(row), &format!("{sign}{mark}{text}"), theme.style(role));
+        put(buffer, list, 1, short(row), &format!("{sign}{mark}{text}"), state.style(role));
     }
     match (picker.kind, picker.choice()) {
         (PickerKind::Scenes, Some(choice)) => preview(state, choice, picture, buffer),
@@ -47,11 +46,10 @@ pub(super) fn draw(state: &State, picker: &Picker, area: Rect, buffer: &mut Buff
 }
 
 fn preview(state: &State, choice: &Choice, area: Rect, buffer: &mut Buffer) {
-    let theme = state.look.theme;
     match state.previews.get(choice.name.as_str()) {
         Some(Ok(scene)) => {
             let [head, drawing] = Layout::vertical([Constraint::Length(2), Constraint::Min(0)]).areas(area);
-            put(buffer, head, 1, 0, &scene.linkage.mechanism.title, theme.style(Role::Header));
+            put(buffer, head, 1, 0, &scene.linkage.mechanism.title, state.style(Role::Header));
             paint(state, &mechanism::still(scene), drawing, buffer);
         }
         Some(Err(text)) => {
@@ -61,7 +59,7 @@ fn preview(state: &State, choice: &Choice, area: Rect, buffer: &mut Buffer) {
         }
         None => {
             let text = state.told(text!("picker-reading", scene = name(choice.text.clone())));
-            put(buffer, area, 1, 0, &text, theme.style(Role::Dim));
+            put(buffer, area, 1, 0, &text, state.style(Role::Dim));
         }
     }
 }

@@ -11,7 +11,6 @@ use crate::screen::draw::{folded, put, short};
 use crate::screen::state::{Role, State, View};
 
 pub(super) fn draw(state: &State, view: View, area: Rect, buffer: &mut Buffer) {
-    let theme = state.look.theme;
     let top = u16::from(view == View::Accuracy && state.measuring().is_some());
     if view == View::Accuracy {
         progress(state, area, buffer);
@@ -21,21 +20,20 @@ pub(super) fn draw(state: &State, view: View, area: Rect, buffer: &mut Buffer) {
     let first = if view == View::Working { state.chosen.equation } else { state.chosen.line };
     let skip = first.min(lines.len().saturating_sub(height));
     for (row, line) in lines.iter().skip(skip).take(height).enumerate() {
-        put(buffer, area, 1, short(row) + top, line, theme.style(Role::Plain));
+        put(buffer, area, 1, short(row) + top, line, state.style(Role::Plain));
     }
 }
 
 /// How far the measurement is, or what starts it.
 fn progress(state: &State, area: Rect, buffer: &mut Buffer) {
-    let theme = state.look.theme;
     if let Some(running) = state.measuring() {
         let measuring = text!("accuracy-measuring");
         let count = if running.count.is_empty() { &measuring } else { &running.count };
         let text = text!("accuracy-stops", count = count, key = name(state.keys.first("close")));
-        put(buffer, area, 1, 0, &state.told(text), theme.style(Role::Header));
+        put(buffer, area, 1, 0, &state.told(text), state.style(Role::Header));
     } else if state.measured.is_none() {
         let text = text!("accuracy-starts", key = name(state.keys.first("measure")));
-        put(buffer, area, 1, 1, &state.told(text), theme.style(Role::Plain));
+        put(buffer, area, 1, 1, &state.told(text), state.style(Role::Plain));
     }
 }
 

@@ -26,10 +26,9 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
     } else {
         Layout::horizontal([Constraint::Percentage(58), Constraint::Min(0)]).areas(rest)
     };
-    let theme = state.look.theme;
     let groups = &scene.linkage.structure;
     let head = |text: &str| cut(text, usize::from(top.width.saturating_sub(2)));
-    put(buffer, top, 1, 0, &head(&state.told(&groups.formula)), theme.style(Role::Header));
+    put(buffer, top, 1, 0, &head(&state.told(&groups.formula)), state.style(Role::Header));
     let w = &groups.mobility;
     let mobility = text!(
         "structure-mobility",
@@ -38,7 +37,7 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
         mobility = number(w.value),
         class = name(assur_structure::roman(groups.class())),
     );
-    put(buffer, top, 1, 1, &state.told(mobility), theme.style(Role::Plain));
+    put(buffer, top, 1, 1, &state.told(mobility), state.style(Role::Plain));
     if let Some((group, health, at)) = scene.nearest_group() {
         let nearest = text!(
             "structure-nearest",
@@ -46,14 +45,14 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
             position = number(at),
             group = groups.group_name(&scene.linkage.mechanism, group),
         );
-        put(buffer, top, 1, 2, &head(&state.told(nearest)), theme.style(Role::Plain));
+        put(buffer, top, 1, 2, &head(&state.told(nearest)), state.style(Role::Plain));
     }
     let lines = lines(state, scene, tree.width.saturating_sub(2));
     let first = lines.iter().position(|line| line.0).unwrap_or(0);
     let height = usize::from(tree.height);
     let skip = (first + 10).saturating_sub(height).min(lines.len().saturating_sub(height));
     for (row, (chosen, text)) in lines.iter().skip(skip).take(height).enumerate() {
-        let style = theme.style(if *chosen { Role::Cursor } else { Role::Plain });
+        let style = state.style(if *chosen { Role::Cursor } else { Role::Plain });
         let wide = Rect { width: tree.width.saturating_sub(1), ..tree };
         put(buffer, wide, 1, short(row), text, style);
     }

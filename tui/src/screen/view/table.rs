@@ -19,10 +19,9 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
     if area.height < 4 {
         return;
     }
-    let theme = state.look.theme;
     let order = state.order();
     let columns = visible_columns(state, scene, area.width.saturating_sub(FIRST + 2));
-    put(buffer, area, 1, 0, &state.told(text!("table-number")), theme.style(Role::Header));
+    put(buffer, area, 1, 0, &state.told(text!("table-number")), state.style(Role::Header));
     let mut left = FIRST;
     for &(column, width) in &columns {
         let Some(series) = scene.column(column) else { continue };
@@ -30,7 +29,7 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
         let texts = [(0, series.head.clone(), role), (1, unit(series.unit.clone()), Role::Dim)];
         for (row, text, role) in texts {
             let text = state.told(text);
-            put(buffer, area, left, row, &format!("{text:>0$}", usize::from(width) - 1), theme.style(role));
+            put(buffer, area, left, row, &format!("{text:>0$}", usize::from(width) - 1), state.style(role));
         }
         left += width;
     }
@@ -55,7 +54,7 @@ fn draw_row(
     buffer: &mut Buffer,
 ) {
     let here = position == state.position;
-    let style = state.look.theme.style(if here { Role::Cursor } else { Role::Plain });
+    let style = state.style(if here { Role::Cursor } else { Role::Plain });
     let mut text = format!("{}{position:>4} ", if here { '>' } else { ' ' });
     for &(column, width) in columns {
         let value = scene.column(column).map_or_else(String::new, |series| {
@@ -127,7 +126,7 @@ fn status(state: &State, scene: &Scene, columns: &[(usize, u16)], area: Rect, bu
         let _ = write!(text, "   {}", state.told(text!("table-differences", scene = &compared.name)));
     }
     let text = cut(&text, usize::from(area.width.saturating_sub(2)));
-    put(buffer, area, 1, 0, &text, state.look.theme.style(Role::Dim));
+    put(buffer, area, 1, 0, &text, state.style(Role::Dim));
 }
 
 fn scroll_bar(area: Rect, skip: usize, shown: usize, count: usize, buffer: &mut Buffer) {

@@ -35,7 +35,7 @@ pub(crate) fn draw(state: &State, area: Rect, buffer: &mut Buffer) {
 }
 
 fn draw_list(state: &State, area: Rect, buffer: &mut Buffer) {
-    let (what, theme) = (&state.what_if, state.look.theme);
+    let what = &state.what_if;
     let place = format!(" {} / {} ", (what.chosen + 1).min(what.values.len()), what.values.len());
     let step = number(plain(what.per_cent()));
     let title = state.told(text!("values-title", step = step, changed = number(what.changes())));
@@ -44,7 +44,7 @@ fn draw_list(state: &State, area: Rect, buffer: &mut Buffer) {
     let inner = block.inner(area);
     block.render(area, buffer);
     let column = area.width.saturating_sub(short(place.width()) + 1);
-    put(buffer, area, column, 0, &place, theme.style(Role::Plain));
+    put(buffer, area, column, 0, &place, state.style(Role::Plain));
     let widest = what.values.iter().map(|value| value.key.to_string().width()).max().unwrap_or(0);
     let widest = widest.min(KEYS).min(usize::from(area.width).saturating_sub(VALUE));
     let rows = usize::from(inner.height);
@@ -62,7 +62,7 @@ fn draw_list(state: &State, area: Rect, buffer: &mut Buffer) {
         };
         let text = format!("{sign}{mark} {key:<widest$}  {shown}");
         let role = if chosen { Role::Cursor } else { Role::Plain };
-        put(buffer, inner, 0, short(row), &text, theme.style(role));
+        put(buffer, inner, 0, short(row), &text, state.style(role));
     }
 }
 
