@@ -110,11 +110,8 @@ pub(crate) fn open_stream(path: &Path) -> Option<io::Result<Box<dyn Write + Send
 /// Whether a path means a device, a pipe or an open stream such as `/dev/stdout`, even if the stream is a regular file;
 /// also through links.
 pub(crate) fn is_stream(path: &Path) -> bool {
-    is_special(path) || stream_of(path).is_some()
-}
-
-fn is_special(path: &Path) -> bool {
-    fs::metadata(path).is_ok_and(|found| !found.is_file() && !found.is_dir())
+    let is_special = fs::metadata(path).is_ok_and(|found| !found.is_file() && !found.is_dir());
+    is_special || stream_of(path).is_some()
 }
 
 /// The open stream that a path means, also through links.

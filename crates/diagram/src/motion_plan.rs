@@ -6,7 +6,7 @@ use assur_kinematics::{Linkage, PointMotion, Position};
 use assur_mechanism::{GROUND, LinkId, Place, PointId, Slide};
 use assur_words::{Text, joined, name, text};
 
-use crate::plan::{VectorPlan, length};
+use crate::plan::{Component, VectorPlan, length};
 
 /// The plan of velocities at a position: from the pole (the origin) to the image of each point, then the rotation of
 /// each link and each slide on a moving guide as separate vectors.
@@ -35,7 +35,7 @@ fn draw(linkage: &Linkage, position: &Position, state: Option<&LoadState>, order
         (_, false) => text!("plan-accelerations-unit"),
     };
     let plan = VectorPlan::new(title, unit(linkage, state.is_some(), order));
-    let rate = Rate::of(state);
+    let rate = state.map_or([1.0, 0.0], |state| [state.speed, state.acceleration]);
     let mut drawer = Drawer { linkage, position, rate, of_velocities: order == 1, plan, open: 0.0 };
     drawer.plan.point(text!("plan-pole"), [0.0; 2]);
     for id in 0..linkage.mechanism.points.len() {
@@ -51,13 +51,11 @@ fn draw(linkage: &Linkage, position: &Position, state: Option<&LoadState>, order
     drawer.plan.finish(open)
 }
 
-/// A component of a velocity or an acceleration: its kind, its name, the vector, its meaning.
-type Component = (VectorKind, Text, [f64; 2], Text);
-
 struct Drawer<'a> {
     linkage: &'a Linkage,
     position: &'a Position,
-    rate: Rate,
+    /// Speed and acceleration of the coordinate; without a motion the speed is 1 and the acceleration 0.
+    rate: [f64; 2],
     of_velocities: bool,
     plan: VectorPlan,
     /// Greatest difference between the components and the images.
@@ -72,7 +70,7 @@ impl Drawer<'_> {
 
     /// PF1 w, or PF2 w^2 + PF1 e.
     fn total(&self, motion: &PointMotion) -> [f64; 2] {
-        let Rate { w, e } = self.rate;
+        let [w, e] = self.rate;
         if self.of_velocities {
             scaled(w, motion.pf1)
         } else {
@@ -84,6 +82,10 @@ impl Drawer<'_> {
         self.total(&self.linkage.point_motion(point, self.position))
     }
 
+    fn is_fixed(&self, point: usize) -> bool {
+        self.linkage.mechanism.place_in(point, GROUND).is_some()
+    }
+
     fn name(&self, point: usize) -> Text {
         (&self.linkage.mechanism.points[point].name).into()
     }
@@ -91,10 +93,10 @@ impl Drawer<'_> {
     fn absolute(&mut self, point: usize) {
         let (point_name, image) = (self.name(point), self.image(point));
         self.plan.point(point_name.clone(), image);
-        if !is_fixed(self.linkage, point) {
+        if !self.is_fixed(point) {
             let symbol = symbol(self.either("v", "a"), [point_name.clone()]);
             let note = text!(self.either("plan-velocity-of", "plan-acceleration-of"), point = point_name);
-            self.plan.push(VectorKind::Absolute, symbol, [0.0; 2], image, note);
+            self.plan.push([0.0; 2], (VectorKind::Absolute, symbol, image, note));
             let letter = self.linkage.mechanism.points[point].name.to_lowercase();
             self.plan.items.last_mut().into_iter().for_each(|item| item.image.clone_from(&letter));
         }
@@ -105,8 +107,8 @@ impl Drawer<'_> {
         let end = parts.iter().fold(start, |at, (_, _, vector, _)| plus(at, *vector));
         self.open = self.open.max(length(minus(end, image)));
         let mut corner = start;
-        for (kind, symbol, vector, note) in parts.into_iter().filter(|_| drawn) {
-            corner = self.plan.push(kind, symbol, corner, vector, note);
+        for part in parts.into_iter().filter(|_| drawn) {
+            corner = self.plan.push(corner, part);
         }
     }
 
@@ -120,13 +122,13 @@ impl Drawer<'_> {
             let arm = self.position.bodies[link].arm(minus(to, from));
             let parts = self.turn_parts(link, arm, &self.name(other), &self.name(first));
             // Where the first point is at rest, the velocity of the other one is this component.
-            let drawn = !self.of_velocities || !is_fixed(self.linkage, first);
+            let drawn = !self.of_velocities || !self.is_fixed(first);
             self.parts(self.image(first), parts, self.image(other), drawn);
         }
     }
 
     fn turn_parts(&self, link: usize, arm: [f64; 2], to: &Text, from: &Text) -> Vec<Component> {
-        let (body, Rate { w, e }) = (&self.position.bodies[link], self.rate);
+        let (body, [w, e]) = (&self.position.bodies[link], self.rate);
         let link = Text::from(&self.linkage.mechanism.links[link].name);
         let of = |letter: &'static str| symbol(letter, [to.clone(), from.clone()]);
         let speed = w * body.w1;
@@ -167,7 +169,7 @@ impl Drawer<'_> {
         let arm = minus(world, [carrier.x, carrier.y]);
         let guide = carrier.turned([slide.angle.cos(), slide.angle.sin()]);
         let motion = self.linkage.slide_motion(id, self.position);
-        let Rate { w, e } = self.rate;
+        let [w, e] = self.rate;
         let on_guide = PointMotion { pf0: [0.0; 2], pf1: carrier.first(arm), pf2: carrier.second(arm) };
         let transport = self.total(&on_guide);
         let note = text!(self.either("plan-velocity-under", "plan-acceleration-under"), point = &name);
@@ -199,19 +201,6 @@ fn symbol<const N: usize>(letter: &'static str, points: [Text; N]) -> Text {
     joined("", [name(letter), name("("), joined("/", points), name(")")])
 }
 
-/// Speed and acceleration of the coordinate; without a motion the speed is 1 and the acceleration 0.
-#[derive(Debug, Clone, Copy)]
-struct Rate {
-    w: f64,
-    e: f64,
-}
-
-impl Rate {
-    fn of(state: Option<&LoadState>) -> Self {
-        state.map_or(Self { w: 1.0, e: 0.0 }, |state| Self { w: state.speed, e: state.acceleration })
-    }
-}
-
 /// Unit of derivatives: by time with a motion, else by the coordinate.
 fn unit(linkage: &Linkage, moves: bool, order: usize) -> &'static str {
     match (moves, linkage.angular(), order) {
@@ -235,11 +224,8 @@ fn rank(linkage: &Linkage, link: LinkId) -> usize {
 
 /// The named points of a link. The first one, from which the others are found, is known before the link.
 fn points_of(linkage: &Linkage, link: LinkId) -> Vec<PointId> {
-    let points = linkage.mechanism.points.iter().enumerate();
-    let mut own: Vec<PointId> = points
-        .filter(|(_, point)| point.places.iter().any(|place| place.link == link))
-        .map(|(id, _)| id)
-        .collect();
+    let points = 0..linkage.mechanism.points.len();
+    let mut own: Vec<PointId> = points.filter(|id| linkage.mechanism.place_in(*id, link).is_some()).collect();
     let before = |id: &PointId| {
         let places = linkage.mechanism.points[*id].places.iter();
         places.map(|place| rank(linkage, place.link)).min().unwrap_or(usize::MAX)
@@ -248,9 +234,4 @@ fn points_of(linkage: &Linkage, link: LinkId) -> Vec<PointId> {
         own[..=first].rotate_right(1);
     }
     own
-}
-
-/// Whether a point belongs to the ground.
-fn is_fixed(linkage: &Linkage, point: PointId) -> bool {
-    linkage.mechanism.points[point].places.iter().any(|place| place.link == GROUND)
 }

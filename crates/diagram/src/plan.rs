@@ -1,7 +1,7 @@
 //! A plan as data.
 
 use assur_force::VectorKind;
-use assur_group::plane::minus;
+use assur_group::plane::{minus, plus};
 use assur_words::Text;
 use serde::Serialize;
 
@@ -58,22 +58,18 @@ pub struct VectorPlan {
     pub residual: f64,
 }
 
+/// A part of a plan: its kind, its name, the vector, its meaning.
+pub(crate) type Component = (VectorKind, Text, [f64; 2], Text);
+
 impl VectorPlan {
     pub(crate) fn new(title: Text, unit: &str) -> Self {
         let unit = unit.to_owned();
         Self { title, unit, scale: 0.0, items: Vec::new(), points: Vec::new(), residual: 0.0 }
     }
 
-    /// Adds a vector in the unit of the plan; returns its end.
-    pub(crate) fn push(
-        &mut self,
-        kind: VectorKind,
-        name: Text,
-        start: [f64; 2],
-        vector: [f64; 2],
-        note: Text,
-    ) -> [f64; 2] {
-        let end = [start[0] + vector[0], start[1] + vector[1]];
+    /// Adds a vector in the unit of the plan from a point; returns its end.
+    pub(crate) fn push(&mut self, start: [f64; 2], (kind, name, vector, note): Component) -> [f64; 2] {
+        let end = plus(start, vector);
         let (size, unit) = (length(vector), self.unit.clone());
         self.items.push(PlanVector { name, image: String::new(), kind, start, end, size, unit, note });
         end

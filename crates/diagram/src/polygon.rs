@@ -1,6 +1,6 @@
 //! Force polygons of the groups and of the input link (S figs. 15, 17).
 
-use assur_force::{Acting, Cause, Reactions, UnitBalance};
+use assur_force::{Acting, Cause, Reactions, UnitBalance, VectorKind};
 use assur_group::Body;
 use assur_group::plane::{opposite, scaled};
 use assur_kinematics::{Linkage, Position};
@@ -8,7 +8,6 @@ use assur_mechanism::{GROUND, InputPair, LinkId};
 use assur_words::{Text, joined, name, text};
 
 use crate::plan::{VectorPlan, length};
-use assur_force::VectorKind;
 
 /// Forces below this part of the greatest reaction of the mechanism count as zero.
 const UNLOADED: f64 = 1e-6;
@@ -78,7 +77,7 @@ impl Drawer<'_> {
             let inner = if nth == 0 { self.pairs(link, |other| links.contains(&other)) } else { Vec::new() };
             let mut start = corner;
             for (joint, force, note) in inner.into_iter().filter(|_| links.len() == 2) {
-                start = plan.push(VectorKind::Inner, joint, start, force, note);
+                start = plan.push(start, (VectorKind::Inner, joint, force, note));
             }
         }
         plan.point(text!("plan-start"), [0.0; 2]);
@@ -100,20 +99,20 @@ impl Drawer<'_> {
             let told = Text::from(load.cause.name(mechanism));
             if let Some([normal, friction]) = load.parts(mechanism, self.bodies) {
                 let normal_of = text!("plan-normal-of-contact", contact = &told);
-                corner = plan.push(kind, normal_of, corner, normal, note());
+                corner = plan.push(corner, (kind, normal_of, normal, note()));
                 let friction_of = text!("plan-friction-of-contact", contact = told);
-                corner = plan.push(kind, friction_of, corner, friction, note());
+                corner = plan.push(corner, (kind, friction_of, friction, note()));
                 continue;
             }
-            corner = plan.push(kind, told, corner, load.wrench.force(), note());
+            corner = plan.push(corner, (kind, told, load.wrench.force(), note()));
         }
         if let Some((_, force)) = self.balance.filter(|(loaded, _)| *loaded == link) {
             let note = text!("plan-balancing-on", link = &mechanism.links[link].name);
-            corner = plan.push(VectorKind::Balancing, name("Fb"), corner, force, note);
+            corner = plan.push(corner, (VectorKind::Balancing, name("Fb"), force, note));
         }
         let outside = |other: LinkId| other == GROUND || !links.contains(&other);
         for (joint, force, note) in self.pairs(link, outside) {
-            corner = plan.push(VectorKind::Reaction, joint, corner, force, note);
+            corner = plan.push(corner, (VectorKind::Reaction, joint, force, note));
         }
         corner
     }

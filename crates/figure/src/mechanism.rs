@@ -266,13 +266,12 @@ const ARROW: f64 = 0.6;
 /// Everything that is drawn of the brakes; it does not move.
 pub fn brakes(mechanism: &Mechanism) -> Vec<Item> {
     let brakes = mechanism.loads.iter().filter_map(|load| load.kind.brake());
-    brakes.filter_map(|brake| Some(drawn_brake(brake, disc_center(mechanism, brake)?))).flatten().collect()
-}
-
-/// The pin of the disc on the ground.
-fn disc_center(mechanism: &Mechanism, brake: &Brake) -> Option<Point> {
-    let mut pins = (0..mechanism.points.len()).filter(|id| mechanism.place_in(*id, brake.link).is_some());
-    pins.find_map(|id| mechanism.place_in(id, GROUND))
+    let drawn = |brake: &Brake| {
+        // The disc has its center at its pin on the ground.
+        let mut pins = (0..mechanism.points.len()).filter(|id| mechanism.place_in(*id, brake.link).is_some());
+        Some(drawn_brake(brake, pins.find_map(|id| mechanism.place_in(id, GROUND))?))
+    };
+    brakes.filter_map(drawn).flatten().collect()
 }
 
 /// The shoe presses down on the top of the disc; the lever has its pin one radius to the left of it, and the force at the end of

@@ -34,18 +34,9 @@ pub(crate) struct Paper<F> {
 impl<F: Fn(Point) -> Point> Paper<F> {
     /// An item as lines, areas, signs and names; a sign or a name without a place is left out.
     pub(crate) fn marks(&self, item: &Item) -> Vec<Item> {
-        let mut marks = self.all_marks(item);
-        marks.retain(|mark| match mark {
-            Item::Sign { at, .. } | Item::Name { at, .. } => at[0].is_finite() && at[1].is_finite(),
-            _ => true,
-        });
-        marks
-    }
-
-    fn all_marks(&self, item: &Item) -> Vec<Item> {
         let place = &self.place;
         let all = |points: &[Point]| points.iter().map(|at| place(*at)).collect::<Vec<_>>();
-        match item {
+        let mut marks = match item {
             Item::Line { points, stroke, ink } => vec![Item::line(all(points), *stroke, *ink)],
             Item::Area { outline, ink } => vec![Item::Area { outline: all(outline), ink: *ink }],
             Item::Arrow { from, to, stroke, ink } => self.arrow(place(*from), place(*to), *stroke, *ink),
@@ -64,7 +55,12 @@ impl<F: Fn(Point) -> Point> Paper<F> {
             Item::Name { at, text, ink, needed } => {
                 vec![Item::Name { at: place(*at), text: text.clone(), ink: *ink, needed: *needed }]
             }
-        }
+        };
+        marks.retain(|mark| match mark {
+            Item::Sign { at, .. } | Item::Name { at, .. } => at[0].is_finite() && at[1].is_finite(),
+            _ => true,
+        });
+        marks
     }
 
     fn arrow(&self, from: Point, to: Point, stroke: Stroke, ink: Ink) -> Vec<Item> {

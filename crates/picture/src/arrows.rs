@@ -70,9 +70,8 @@ pub(crate) fn items(results: &Results, look: &Look<'_>, pose: &Position) -> Vec<
 }
 
 fn vectors(results: &Results, pose: &Position, position: usize, order: u8) -> Vec<(usize, [f64; 2])> {
-    let points = &results.linkage.mechanism.points;
-    let free = |id: &usize| points[*id].places.iter().all(|place| place.link != GROUND);
-    let points = (0..points.len()).filter(free);
+    let mechanism = &results.linkage.mechanism;
+    let points = (0..mechanism.points.len()).filter(|id| mechanism.place_in(*id, GROUND).is_none());
     if moving(results).is_some() {
         let all: Vec<&Series> = series_of(results, order).collect();
         let of = |column| all.iter().find(|series| series.column == column)?.course.get(position);

@@ -216,7 +216,8 @@ fn panel_of_steps(
             Some(Vector { from, to, name, ink, kind })
         })
         .collect();
-    let (unit, symbol) = if on_lever { (lever_unit(construction), "v") } else { ("m", "l") };
+    let image = construction.steps.iter().find(|step| step.kind == VectorKind::Absolute);
+    let (unit, symbol) = if on_lever { (image.map_or("m", |step| step.unit), "v") } else { ("m", "l") };
     let mut panel = plots::vectors(Text::default(), &vectors, (unit, symbol), on_lever.then_some(POLE));
     panel.items.splice(0..0, beneath);
     if let Frame::Plane { bounds, .. } = &mut panel.frame {
@@ -227,9 +228,4 @@ fn panel_of_steps(
 
 fn length([from, to]: [[f64; 2]; 2]) -> f64 {
     (to[0] - from[0]).hypot(to[1] - from[1])
-}
-
-fn lever_unit(construction: &Construction) -> &'static str {
-    let image = construction.steps.iter().find(|step| step.kind == VectorKind::Absolute);
-    image.map_or("m", |step| step.unit)
 }

@@ -44,10 +44,8 @@ impl Probe {
     pub fn first_link(results: &Results) -> LinkId {
         let mechanism = &results.linkage.mechanism;
         let fixed = |link: LinkId| {
-            let pinned = mechanism.points.iter().any(|point| {
-                let on = |wanted: LinkId| point.places.iter().any(|place| place.link == wanted);
-                on(link) && on(GROUND)
-            });
+            let is_pin = |point| [link, GROUND].iter().all(|on| mechanism.place_in(point, *on).is_some());
+            let pinned = (0..mechanism.points.len()).any(is_pin);
             pinned || mechanism.slides.iter().any(|slide| slide.link == link && slide.on == GROUND)
         };
         (1..mechanism.links.len()).find(|link| !fixed(*link)).unwrap_or(1)

@@ -47,7 +47,7 @@ pub(crate) enum Command {
     /// Measure speed versus accuracy of every method that can do a scene
     Chart(super::chart::ChartArgs),
     /// Walk towards the singular positions of a scene; how near it comes to them, and how much each length may change
-    Stability(super::study::StabilityArgs),
+    Stability(super::study::StudyArgs),
     /// Measure the motion: strokes, dead points, extremes, force angles, centrodes, curvature
     Geometry(super::study::GeometryArgs),
     /// Mobility, Assur groups and class; with another link as the input too

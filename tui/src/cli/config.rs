@@ -6,8 +6,8 @@ mod tests;
 use std::path::{Path, PathBuf};
 
 use super::fault::{Fault, Status};
+use super::output;
 use super::style::Style;
-use super::{output, scene};
 use crate::files;
 use crate::screen::{Config, default_text};
 
@@ -35,7 +35,7 @@ pub(crate) fn load() -> (Config, Option<Fault>) {
 
 fn read(path: &Path) -> Result<Config, Fault> {
     let text = files::read(path)?;
-    Config::read(&path.display().to_string(), &text).map_err(|errors| scene::faults(&errors))
+    Config::read(&path.display().to_string(), &text).map_err(Fault::scene)
 }
 
 /// `$XDG_CONFIG_HOME`, else `~/.config`; a path that is not absolute counts as unset, as the specification demands.

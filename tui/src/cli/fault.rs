@@ -1,8 +1,10 @@
 //! The end of a command: status and errors.
+#![expect(clippy::needless_pass_by_value, reason = "takes errors as `map_err` hands them over")]
 
 use std::io;
 use std::process::ExitCode;
 
+use assur_scene::SceneErrors;
 use assur_words::{Describe, Text, errors, name, text, text_of};
 
 use crate::files::FileError;
@@ -63,20 +65,22 @@ impl Fault {
         if let Self::Partial(_, status) = self { *status } else { Status::Bad }
     }
 
+    /// The faults of a scene, or of another text that is read.
+    pub(crate) fn scene(errors: SceneErrors) -> Self {
+        Self::Scene(errors.describe())
+    }
+
     /// An error that says itself what it is, in any language.
-    #[expect(clippy::needless_pass_by_value, reason = "takes errors as `map_err` hands them over")]
     pub(crate) fn told(error: impl Describe) -> Self {
         Self::Other(error.describe())
     }
 
     /// An error of a library, in its words.
-    #[expect(clippy::needless_pass_by_value, reason = "takes errors as `map_err` hands them over")]
     pub(crate) fn other(what: impl ToString) -> Self {
         Self::Other(name(what.to_string()))
     }
 
     /// From an error of writing to standard output.
-    #[expect(clippy::needless_pass_by_value, reason = "takes errors as `map_err` hands them over")]
     pub(crate) fn stdout(error: io::Error) -> Self {
         match error.kind() {
             io::ErrorKind::BrokenPipe => FileError::Reader.into(),

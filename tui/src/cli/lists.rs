@@ -19,7 +19,7 @@ use super::{output, scene};
 pub(crate) fn plugins(style: Style) -> Result<Status, Fault> {
     let mut rows = Vec::new();
     let mut add = |sort: &'static str, of: [&'static str; 2], told: [&Text; 2]| {
-        rows.push(row![text!(sort), of[0], of[1], told[0].clone(), told[1].clone()].to_vec());
+        rows.push(row![text!(sort), of[0], of[1], told[0].clone(), told[1].clone()]);
     };
     for plugin in assur_group::groups().map_err(Fault::told)? {
         add("cli-plugin-group", [plugin.name, plugin.crate_name], [&plugin.summary, &plugin.source]);
@@ -35,13 +35,12 @@ pub(crate) fn plugins(style: Style) -> Result<Status, Fault> {
     }
     let head =
         ["cli-plugin-sort", "cli-plugin-name", "cli-plugin-crate", "cli-plugin-what", "cli-plugin-source"];
-    print(head.map(|id| text!(id)), &rows, style)?;
+    print(Table::list(Text::default(), head.map(|id| Column::of(text!(id)))).rows(rows), style)?;
     Ok(Status::Done)
 }
 
 /// Prints a list, each row in one line.
-fn print<const N: usize>(heads: [Text; N], rows: &[Vec<Cell>], style: Style) -> Result<(), Fault> {
-    let table = Table::list(Text::default(), heads.map(Column::of)).rows(rows.iter().cloned());
+fn print(table: Table, style: Style) -> Result<(), Fault> {
     output::print(&told_within(u16::MAX.into(), style.words(), |page| page.table(table)))
 }
 
@@ -59,19 +58,21 @@ pub(crate) fn motors(args: &MotorArgs, style: Style) -> Result<Status, Fault> {
     };
     let all = catalogues().map_err(Fault::told)?;
     let motors = list_motors(&all, &filter).map_err(Fault::told)?;
-    let header = [
-        text!("cli-plugin-catalogue"),
-        text!("cli-motor-motor"),
-        text!("cli-motor-poles"),
-        unit("kW"),
-        text!("cli-motor-sync"),
-        unit("rpm"),
-        text!("cli-motor-breakdown"),
-        joined(" ", [name("J"), unit("kg m^2")]),
-        text!("cli-motor-remarks"),
-    ];
-    let rows: Vec<_> = motors.iter().map(|motor| row(motor, style)).collect();
-    print(header, &rows, style)?;
+    let rounded = |speed: f64| number(format_args!("{:.0}", rpm(speed)));
+    let designation = |motor: &Motor| {
+        Cell::from(&if style.ascii { motor.latin_designation() } else { motor.designation.clone() })
+    };
+    let table = Table::each(Text::default(), motors.iter().copied())
+        .column(text!("cli-plugin-catalogue"), |motor| Cell::from(&motor.catalogue))
+        .column(text!("cli-motor-motor"), |motor| designation(motor))
+        .column(text!("cli-motor-poles"), |motor| number(motor.poles))
+        .column(unit("kW"), |motor| number(motor.rated_power / 1e3))
+        .column(text!("cli-motor-sync"), |motor| rounded(motor.synchronous_speed))
+        .column(unit("rpm"), |motor| rounded(motor.rated_speed))
+        .column(text!("cli-motor-breakdown"), |motor| motor.max_torque_ratio.map(number))
+        .column(joined(" ", [name("J"), unit("kg m^2")]), |motor| motor.rotor_inertia.map(number))
+        .column(text!("cli-motor-remarks"), |motor| name(motor.flags.join(" ")));
+    print(table.table(), style)?;
     output::print(&remarks(&motors, style))?;
     if motors.is_empty() {
         style.tell(text!("cli-no-motor"));
@@ -102,23 +103,6 @@ fn remarks(motors: &[&Motor], style: Style) -> String {
     } else {
         format!("\n{}\n{lines}", text!("cli-motor-remarks").render(style.language))
     }
-}
-
-fn row(motor: &Motor, style: Style) -> Vec<Cell> {
-    let known = |value: Option<f64>| value.map(number);
-    let designation = if style.ascii { motor.latin_designation() } else { motor.designation.clone() };
-    row![
-        &motor.catalogue,
-        &designation,
-        number(motor.poles),
-        number(motor.rated_power / 1e3),
-        number(format_args!("{:.0}", rpm(motor.synchronous_speed))),
-        number(format_args!("{:.0}", rpm(motor.rated_speed))),
-        known(motor.max_torque_ratio),
-        known(motor.rotor_inertia),
-        name(motor.flags.join(" ")),
-    ]
-    .into()
 }
 
 fn speed(text: &str) -> Result<f64, Fault> {

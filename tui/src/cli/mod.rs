@@ -43,7 +43,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     let arguments: Vec<OsString> = arguments.into_iter().collect();
     files::ignore_limit();
     let (config, config_fault) = config::load();
-    let asked = usage::language(&arguments).into_iter().chain([config.language()]);
+    let asked = usage::language(&arguments).into_iter().chain([config.look.language]);
     let cli = match usage::parse(&arguments) {
         Ok(cli) => cli,
         Err(Refused::Fault(problem)) => {

@@ -6,13 +6,11 @@ use std::sync::Arc;
 use assur_analysis::{Calculation, Options};
 use assur_kinematics::Linkage;
 use assur_mechanism::Warning;
-use assur_scene::SceneErrors;
-use assur_words::{Describe, Text, joined, text};
+use assur_words::{Text, joined, text};
 
 use super::fault::{Fault, Status};
 use super::options::{CheckedArgs, MethodArgs};
 use super::style::Style;
-use crate::files::FileError;
 use crate::progress::ProgressLine;
 use crate::session::{Session, Source};
 use crate::verdict::Verdict;
@@ -91,14 +89,6 @@ impl CheckedArgs {
         let least_norm = self.indeterminate.is_some();
         Ok(Options { least_norm, ..options(&self.scene.methods, whole)? })
     }
-}
-
-pub(crate) fn faults(errors: &SceneErrors) -> Fault {
-    Fault::Scene(errors.describe())
-}
-
-pub(crate) fn in_file(path: &Path, message: Text) -> Fault {
-    FileError::read(path, message).into()
 }
 
 /// How a command that calculates a scene ends, and what is reported on standard error.

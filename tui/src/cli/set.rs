@@ -55,7 +55,7 @@ pub(crate) fn run(args: &SetArgs, style: Style) -> Result<Status, Fault> {
     }
     let text = replaced(&text, places.iter().map(|(place, toml)| (&place.span, toml.as_str())));
     let file = args.scene.display().to_string();
-    let mechanism = assur_scene::read(&file, &text).map_err(|errors| scene::faults(&errors))?;
+    let mechanism = assur_scene::read(&file, &text).map_err(Fault::scene)?;
     let warnings = mechanism.warnings.iter().map(|one| text!("cli-note", note = one));
     scene::tell_all(warnings.collect(), style)?;
     output.write(&text, Status::Done)

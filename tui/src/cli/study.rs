@@ -47,19 +47,26 @@ enum Form {
     Json,
 }
 
+/// A scene that is studied, and the form and the file of the results.
 #[derive(Debug, Clone, Args)]
-pub(crate) struct GeometryArgs {
+pub(crate) struct StudyArgs {
     /// Scene file
     scene: PathBuf,
-    /// Link from which centers and centrodes are seen [default: the ground]
-    #[arg(long, value_name = "LINK")]
-    against: Option<String>,
-    /// Form of the results; csv: the table over the positions
+    /// Form of the results; csv: their table alone
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
     /// Write to this file instead of standard output
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
+}
+
+#[derive(Debug, Clone, Args)]
+pub(crate) struct GeometryArgs {
+    /// Link from which centers and centrodes are seen [default: the ground]
+    #[arg(long, value_name = "LINK")]
+    against: Option<String>,
+    #[command(flatten)]
+    study: StudyArgs,
 }
 
 #[derive(Debug, Clone, Args)]
@@ -67,18 +74,6 @@ pub(crate) struct ShakingArgs {
     #[command(flatten)]
     scene: SceneArgs,
     /// Form of the results; csv: the table over the positions
-    #[arg(long, value_enum, default_value_t = Format::Text)]
-    format: Format,
-    /// Write to this file instead of standard output
-    #[arg(short, long, value_name = "FILE")]
-    output: Option<PathBuf>,
-}
-
-#[derive(Debug, Clone, Args)]
-pub(crate) struct StabilityArgs {
-    /// Scene file
-    scene: PathBuf,
-    /// Form of the results
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
     /// Write to this file instead of standard output
@@ -129,11 +124,14 @@ fn structure_of(args: &StructureArgs, style: Style) -> Result<(StructureStudy, S
     Ok((study, if any { Status::Done } else { Status::Failed }))
 }
 
-pub(crate) fn geometry(args: &GeometryArgs, style: Style) -> Result<Status, Fault> {
+pub(crate) fn geometry(
+    GeometryArgs { against, study: args }: &GeometryArgs,
+    style: Style,
+) -> Result<Status, Fault> {
     let output = Output::of(args.output.as_deref(), &args.scene)?;
     let session = scene::open(&args.scene, style)?;
     let linkage = scene::linkage(&session)?;
-    let against = match &args.against {
+    let against = match against {
         None => GROUND,
         Some(name) => linkage.mechanism.link(name).ok_or_else(|| {
             let links = words::list(linkage.mechanism.links.iter().map(|link| (&link.name).into()));
@@ -187,7 +185,7 @@ pub(crate) fn shaking(args: &ShakingArgs, style: Style) -> Result<Status, Fault>
     output.write(text, verdict.status())
 }
 
-pub(crate) fn stability(args: &StabilityArgs, style: Style) -> Result<Status, Fault> {
+pub(crate) fn stability(args: &StudyArgs, style: Style) -> Result<Status, Fault> {
     let output = Output::of(args.output.as_deref(), &args.scene)?;
     let session = scene::open(&args.scene, style)?;
     let linkage = scene::linkage(&session)?;

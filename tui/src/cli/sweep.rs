@@ -147,8 +147,8 @@ fn sweep(args: &SweepArgs, style: Style) -> Result<Sweep, Fault> {
 
 fn fault(path: &Path, error: SweepError) -> Fault {
     match error {
-        SweepError::Scene(errors) => scene::faults(&errors),
-        SweepError::AllRefused(_) => scene::in_file(path, error.describe()),
+        SweepError::Scene(errors) => Fault::scene(errors),
+        SweepError::AllRefused(_) => FileError::read(path, error.describe()).into(),
         error => Fault::Other(error.describe()),
     }
 }
@@ -208,12 +208,7 @@ impl<'a> Job<'a> {
         if rows >= LONG {
             let megabytes = (self.bytes() / 1e6).ceil();
             let [rows, columns] = [rows, columns].map(number);
-            self.style.tell(text!(
-                "cli-sweep-size",
-                rows = rows,
-                columns = columns,
-                megabytes = number(megabytes)
-            ));
+            self.style.tell(text!("cli-sweep-size", rows, columns, megabytes = number(megabytes)));
         }
     }
 

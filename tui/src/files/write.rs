@@ -5,7 +5,7 @@ use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{self, BufWriter, Write};
 use std::os::unix::fs::{MetadataExt, PermissionsExt};
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+use std::sync::{Arc, Mutex, OnceLock};
 
 use assur_words::{Told, name, text};
 use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM, SIGXFSZ};
@@ -14,6 +14,7 @@ use tempfile::NamedTempFile;
 
 use super::lock::Lock;
 use super::{FileError, open_stream};
+use crate::lock;
 
 /// Lock of a folder while its files are replaced.
 const LOCK: &str = ".assur.lock";
@@ -168,7 +169,7 @@ impl Replacement {
         // The umask applies, as for any new file.
         builder.prefix(".assur-").permissions(fs::Permissions::from_mode(0o666));
         // Locked, so that a signal finds every file that was made.
-        let mut temporaries = temporaries();
+        let mut temporaries = lock(&TEMPORARY);
         let content = builder.tempfile_in(folder)?;
         temporaries.push(content.path().to_owned());
         Ok(Self { content, path })
@@ -177,7 +178,7 @@ impl Replacement {
     fn put(self) -> io::Result<()> {
         let temporary = self.content.into_temp_path();
         let put = take_place(&temporary, &self.path);
-        temporaries().retain(|path| *path != *temporary);
+        lock(&TEMPORARY).retain(|path| *path != *temporary);
         put
     }
 }
@@ -222,13 +223,9 @@ fn is_bound(old: &fs::Metadata, new: &fs::Metadata) -> bool {
     old.nlink() > 1 || old.uid() != new.uid() || old.gid() != new.gid()
 }
 
-fn temporaries() -> std::sync::MutexGuard<'static, Vec<PathBuf>> {
-    TEMPORARY.lock().unwrap_or_else(PoisonError::into_inner)
-}
-
 /// Removes leftover temporary files, for exits that run no destructors.
 pub(crate) fn remove_temporaries() {
-    remove(&mut temporaries());
+    remove(&mut lock(&TEMPORARY));
 }
 
 fn remove(temporaries: &mut Vec<PathBuf>) {
@@ -250,7 +247,7 @@ pub(crate) fn remove_on_signals() {
         let listen = move || {
             for signal in signals.forever() {
                 // Locked to the end, so that no other file is made.
-                let mut temporaries = temporaries();
+                let mut temporaries = lock(&TEMPORARY);
                 remove(&mut temporaries);
                 let _ = signal_hook::low_level::emulate_default_handler(signal);
             }

@@ -34,11 +34,6 @@ impl Default for Config {
 }
 
 impl Config {
-    /// The language that is configured: a code, or what asks for that of a scene.
-    pub(crate) fn language(&self) -> &'static str {
-        self.look.language
-    }
-
     /// Reads the text of a configuration. `file_name` is only repeated in errors.
     ///
     /// # Errors

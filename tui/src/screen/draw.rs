@@ -1,12 +1,12 @@
 //! Drawing into cells: text, and figures in the styles of the theme.
 
-pub(crate) use assur_figure::cells::cut;
+pub(crate) use assur_figure::cells::{cut, short};
 
 use assur_figure::cells::{self, Look};
 use assur_figure::{Figure, Frame, Ink};
+use assur_words::Text;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
-use ratatui::style::Style;
 use textwrap::Options;
 
 use crate::screen::state::{Role, State, Zoom};
@@ -19,24 +19,57 @@ pub(crate) fn cells(state: &State, zoom: Zoom) -> Look {
     Look { marker: state.look.marker, ratio: state.look.ratio, zoom, language: state.language() }
 }
 
-pub(crate) fn paint(state: &State, figure: &Figure, area: Rect, buffer: &mut Buffer) {
-    paint_zoomed(state, figure, Zoom::WHOLE, area, buffer);
+/// What a view is drawn with: the state that it shows, and the cells that it fills.
+pub(crate) struct Pen<'a> {
+    pub(crate) state: &'a State,
+    pub(crate) buffer: &'a mut Buffer,
 }
 
-pub(crate) fn paint_zoomed(state: &State, figure: &Figure, zoom: Zoom, area: Rect, buffer: &mut Buffer) {
-    if zoom == Zoom::WHOLE && state.shows_pictures() && area.width > 0 && area.height > 0 {
-        let mut figure = figure.clone();
-        for panel in &mut figure.panels {
-            if let Frame::Plane { scale, .. } = &mut panel.frame {
-                // A millimeter of a screen is not known.
-                scale.0 = "";
-            }
-        }
-        return state.shown.borrow_mut().push((figure, area));
+impl Pen<'_> {
+    pub(crate) fn paint(&mut self, figure: &Figure, area: Rect) {
+        self.paint_zoomed(figure, Zoom::WHOLE, area);
     }
-    let height = height(state, figure, area);
-    for spot in cells::draw(figure, [area.width, height], cells(state, zoom)) {
-        put(buffer, area, spot.column, spot.row, &spot.text, state.style(role(spot.ink)));
+
+    pub(crate) fn paint_zoomed(&mut self, figure: &Figure, zoom: Zoom, area: Rect) {
+        let state = self.state;
+        if zoom == Zoom::WHOLE && state.shows_pictures() && area.width > 0 && area.height > 0 {
+            let mut figure = figure.clone();
+            for panel in &mut figure.panels {
+                if let Frame::Plane { scale, .. } = &mut panel.frame {
+                    // A millimeter of a screen is not known.
+                    scale.0 = "";
+                }
+            }
+            return state.shown.borrow_mut().push((figure, area));
+        }
+        let height = height(state, figure, area);
+        for spot in cells::draw(figure, [area.width, height], cells(state, zoom)) {
+            self.put(area, spot.column, spot.row, &spot.text, role(spot.ink));
+        }
+    }
+
+    /// Writes a text into an area; an ellipsis at the right edge shows that the rest is missing. Does nothing outside.
+    pub(crate) fn put(&mut self, area: Rect, column: u16, row: u16, text: &str, role: Role) {
+        if row < area.height && column < area.width {
+            let (room, style) = (usize::from(area.width - column), self.state.look.theme.style(role));
+            self.buffer.set_stringn(area.x + column, area.y + row, cut(text, room), room, style);
+        }
+    }
+
+    /// Writes a text in the language of the screen.
+    pub(crate) fn tell(&mut self, area: Rect, column: u16, row: u16, text: impl Into<Text>, role: Role) {
+        self.put(area, column, row, &self.state.told(text), role);
+    }
+
+    pub(crate) fn put_lines<'l>(
+        &mut self,
+        area: Rect,
+        column: u16,
+        lines: impl IntoIterator<Item = &'l (Role, String)>,
+    ) {
+        for (row, (role, line)) in lines.into_iter().enumerate() {
+            self.put(area, column, short(row), line, *role);
+        }
     }
 }
 
@@ -64,26 +97,6 @@ fn role(ink: Ink) -> Role {
 /// Indent of the continuation lines of a line that is too long, in columns.
 const HANGING: usize = 4;
 
-/// Writes a text into an area; an ellipsis at the right edge shows that the rest is missing. Does nothing outside.
-pub(crate) fn put(buffer: &mut Buffer, area: Rect, column: u16, row: u16, text: &str, style: Style) {
-    if row < area.height && column < area.width {
-        let room = usize::from(area.width - column);
-        buffer.set_stringn(area.x + column, area.y + row, cut(text, room), room, style);
-    }
-}
-
-pub(crate) fn put_lines<'a>(
-    buffer: &mut Buffer,
-    area: Rect,
-    column: u16,
-    state: &State,
-    lines: impl IntoIterator<Item = &'a (Role, String)>,
-) {
-    for (row, (role, line)) in lines.into_iter().enumerate() {
-        put(buffer, area, column, short(row), line, state.style(*role));
-    }
-}
-
 /// A text in lines of at most this many columns, broken at spaces where possible.
 pub(crate) fn wrapped(text: &str, width: usize) -> Vec<String> {
     textwrap::wrap(text, Options::new(width).break_words(false)).into_iter().map(Into::into).collect()
@@ -96,9 +109,4 @@ pub(crate) fn folded(line: &str, width: usize) -> Vec<String> {
     let (first, rest) = (" ".repeat(indent), " ".repeat(indent + HANGING));
     let options = Options::new(width).break_words(false).initial_indent(&first).subsequent_indent(&rest);
     textwrap::wrap(text, options).into_iter().map(Into::into).collect()
-}
-
-/// A count as a screen coordinate.
-pub(crate) fn short(x: usize) -> u16 {
-    u16::try_from(x).unwrap_or(u16::MAX)
 }

@@ -9,7 +9,7 @@ mod tests;
 
 use std::collections::VecDeque;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Condvar, Mutex, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -17,6 +17,7 @@ use crossterm::event::{Event as Own, KeyEventKind};
 
 use super::input::Input;
 use super::state::{Effect, Key, Report};
+use crate::lock;
 
 /// Greatest number of inputs that wait: of a held key those of a quarter of a minute. Of more, the oldest are dropped,
 /// so that the last one, which answers what is seen, is never far behind.
@@ -109,12 +110,12 @@ impl Inbox {
     }
 
     pub(crate) fn send(&self, event: Event) {
-        self.waiting().push(event);
+        lock(&self.waiting).push(event);
         self.came.notify_one();
     }
 
     pub(crate) fn take(self: &Arc<Self>, inputs: impl Iterator<Item = Input>) {
-        let mut waiting = self.waiting();
+        let mut waiting = lock(&self.waiting);
         let mut asked = 0;
         for event in inputs.map(Event::Input) {
             if self.ends_program(&event) {
@@ -133,7 +134,7 @@ impl Inbox {
 
     /// The next event, waited for until a time; `None`: it has come.
     pub(crate) fn next(&self, until: Option<Instant>) -> Option<Event> {
-        let mut waiting = self.waiting();
+        let mut waiting = lock(&self.waiting);
         loop {
             if let Some(event) = waiting.pop() {
                 return Some(event);
@@ -147,20 +148,20 @@ impl Inbox {
     }
 
     pub(crate) fn try_next(&self) -> Option<Event> {
-        self.waiting().pop()
+        lock(&self.waiting).pop()
     }
 
     pub(crate) fn is_empty(&self) -> bool {
-        self.waiting().events.is_empty()
+        lock(&self.waiting).events.is_empty()
     }
 
     pub(crate) fn dropped(&self) -> usize {
-        std::mem::take(&mut self.waiting().dropped)
+        std::mem::take(&mut lock(&self.waiting).dropped)
     }
 
     /// The loop has shown what follows from all that it has taken.
     pub(crate) fn answered(&self) {
-        let waiting = self.waiting();
+        let waiting = lock(&self.waiting);
         let open = waiting.events.iter().filter(|event| self.ends_program(event)).count();
         self.asked.store(open, Ordering::SeqCst);
     }
@@ -172,10 +173,6 @@ impl Inbox {
     fn ends_program(&self, event: &Event) -> bool {
         let Event::Input(Input::Event(Own::Key(key))) = event else { return false };
         key.kind != KeyEventKind::Release && self.ends.contains(&Key::from(*key))
-    }
-
-    fn waiting(&self) -> MutexGuard<'_, Waiting> {
-        self.waiting.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// Ends the program if the loop does not answer: at once where no warning is due, else when asked once more.

@@ -1,9 +1,9 @@
 //! Taking the terminal, and restoring it on every exit.
 
 use std::io::{self, Write};
+use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::channel;
-use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
 use assur_figure::Figure;
@@ -24,6 +24,7 @@ use ratatui::{Frame, Terminal, TerminalOptions, Viewport};
 
 use super::state::State;
 use super::{pixels, view};
+use crate::lock;
 
 /// Name of the threads whose panics are caught and reported on the screen.
 pub(crate) const WORKER: &str = "assur-work";
@@ -59,7 +60,7 @@ impl Write for FrameBuffer {
 
     fn flush(&mut self) -> io::Result<()> {
         let bytes = std::mem::take(&mut self.0);
-        let _writing = writing();
+        let _writing = lock(&WRITING);
         if !TAKEN.load(Ordering::SeqCst) || LOST.load(Ordering::SeqCst) {
             return Ok(());
         }
@@ -172,10 +173,6 @@ fn area() -> io::Result<Rect> {
     size().map(|(columns, rows)| Rect::new(0, 0, columns, rows))
 }
 
-fn writing() -> MutexGuard<'static, ()> {
-    WRITING.lock().unwrap_or_else(PoisonError::into_inner)
-}
-
 fn enter() -> io::Result<()> {
     enable_raw_mode()?;
     TAKEN.store(true, Ordering::SeqCst);
@@ -207,7 +204,7 @@ fn give_back_soon() {
     let (tell, step) = channel();
     let writer = std::thread::Builder::new().spawn(move || {
         let _ = tell.send(());
-        let guard = writing();
+        let guard = lock(&WRITING);
         let _ = tell.send(());
         give_back();
         drop(guard);

@@ -10,7 +10,7 @@ use std::collections::HashMap;
 use std::mem::{Discriminant, discriminant};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::PathBuf;
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex};
 use std::thread;
 
 use assur_words::{name, text};
@@ -18,6 +18,7 @@ use assur_words::{name, text};
 use super::state::{Job, Purpose, Report, Wanted};
 use super::terminal::WORKER;
 use super::work;
+use crate::lock;
 
 /// Jobs of one kind replace each other.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
@@ -82,10 +83,6 @@ fn following(busy: &Mutex<Busy>, kind: &Kind) -> Option<Job> {
         busy.remove(kind);
     }
     next
-}
-
-fn lock(busy: &Mutex<Busy>) -> MutexGuard<'_, Busy> {
-    busy.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// Performs a job; a panic is reported as its failure.

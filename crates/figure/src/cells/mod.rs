@@ -13,9 +13,10 @@ use crate::bounds::Zoom;
 use crate::model::{Figure, Frame, Ink, Item, Point, Sign, Stroke};
 use crate::trace::block;
 use labels::{Labels, head};
-use raster::{Raster, short};
+use raster::Raster;
 
 pub use plane::{cell_width, point_at};
+pub use raster::short;
 
 /// The characters for the dots of a drawing, the finest first; its names are those of the configuration.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumString, VariantArray, VariantNames)]

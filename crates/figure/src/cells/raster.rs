@@ -1,7 +1,7 @@
 //! A grid of dots that is converted to characters: Braille, half blocks, or ASCII strokes.
 
 use super::{Marker, Spot};
-use crate::bounds::inside;
+use crate::bounds::Bounds;
 use crate::model::{Ink, Stroke};
 
 /// A piece of a chain longer than this many dots is beyond any screen.
@@ -55,7 +55,10 @@ impl Raster {
     }
 
     fn line(&mut self, from: [f64; 2], to: [f64; 2], ink: Ink) {
-        let Some([from, to]) = self.clipped(from, to) else { return };
+        // The part near the area: a line to a far end would take too long.
+        let far = [self.columns as f64 + 1.0, self.rows as f64 + 1.0];
+        let near = Bounds { low: [-1.0; 2], high: far };
+        let Some([from, to]) = near.cut([from, to]) else { return };
         let (across, down) = dots(self.marker);
         let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
         let steps = (dx.abs() * across as f64).max(dy.abs() * down as f64).ceil().max(1.0);
@@ -111,13 +114,6 @@ impl Raster {
             },
         )
     }
-
-    /// The part of a line near the area: a line to a far end would take too long.
-    fn clipped(&self, from: [f64; 2], to: [f64; 2]) -> Option<[[f64; 2]; 2]> {
-        let high = [self.columns as f64 + 1.0, self.rows as f64 + 1.0];
-        let ends = inside([from, to], [-1.0; 2], high)?;
-        Some(ends.map(|t| [from[0] + t * (to[0] - from[0]), from[1] + t * (to[1] - from[1])]))
-    }
 }
 
 /// A non-negative whole number in range; others become 0.
@@ -131,7 +127,7 @@ pub(crate) fn whole(x: f64) -> usize {
 }
 
 /// A count as a screen coordinate.
-pub(crate) fn short(x: usize) -> u16 {
+pub fn short(x: usize) -> u16 {
     u16::try_from(x).unwrap_or(u16::MAX)
 }
 

@@ -84,10 +84,6 @@ impl Folder<'_> {
         self.unfinished.path.join("next")
     }
 
-    fn fault(&self, problem: io::Error) -> Fault {
-        self.unfinished.fault(problem)
-    }
-
     #[expect(clippy::needless_pass_by_value, reason = "takes errors as `map_err` hands them over")]
     fn unwritten(&self, problem: ParquetError) -> Fault {
         self.unfinished.refused(problem.describe())
@@ -99,7 +95,7 @@ impl Folder<'_> {
         self.unfinished.keep(&self.opened)?;
         let written = files::create_own(&self.next()).and_then(|mut next| next.write_all(&bytes));
         let put = written.and_then(|()| fs::rename(self.next(), self.part(index)));
-        put.map_err(|error| self.fault(error))
+        put.map_err(|error| self.unfinished.fault(error))
     }
 
     fn found(&self, job: &Job<'_>) -> Result<Tally, Fault> {
@@ -107,7 +103,7 @@ impl Folder<'_> {
         for index in 0.. {
             let file = match File::open(self.part(index)) {
                 Err(error) if error.kind() == io::ErrorKind::NotFound => break,
-                file => file.map_err(|error| self.fault(error))?,
+                file => file.map_err(|error| self.unfinished.fault(error))?,
             };
             let left = job.points.len().saturating_sub(all.points);
             let foreign = || self.unfinished.foreign(all.points + 1);
@@ -127,14 +123,14 @@ impl Folder<'_> {
 
     fn joined(&self, job: &Job<'_>, parts: usize) -> Result<PathBuf, Fault> {
         self.unfinished.keep(&self.opened)?;
-        let out = files::create_own(&self.next()).map_err(|error| self.fault(error))?;
+        let out = files::create_own(&self.next()).map_err(|error| self.unfinished.fault(error))?;
         let files = (0..parts).map(|index| File::open(self.part(index)));
         parquet::join(job.sweep, &self.origin, files, &out).map_err(|error| self.unwritten(error))?;
-        out.sync_all().map_err(|error| self.fault(error))?;
+        out.sync_all().map_err(|error| self.unfinished.fault(error))?;
         Ok(self.next())
     }
 
     fn remove(&self) -> Result<(), Fault> {
-        fs::remove_dir_all(&self.unfinished.path).map_err(|error| self.fault(error))
+        fs::remove_dir_all(&self.unfinished.path).map_err(|error| self.unfinished.fault(error))
     }
 }

@@ -23,7 +23,7 @@ pub(crate) use whatif::toggle;
 pub(crate) use write::grant;
 
 use super::state::{
-    Command, Entry, Group, Key, LONGEST, PickerKind, PromptKind, Purpose, Role, State, Stop, View, round,
+    Command, Group, Key, LONGEST, PickerKind, PromptKind, Purpose, Role, State, Stop, View, round,
 };
 use super::view;
 
@@ -67,6 +67,7 @@ fn pass(state: &mut State, event: KeyEvent) {
     let filter = filter.or(state.picker.as_ref().map(|picker| &picker.filter));
     let typing = filter.is_some_and(|filter| filter.typing);
     let meant = meant.filter(|command| !typing && (filter.is_none() || OF_LISTS.contains(&command.name)));
+    let kind = state.picker.as_ref().map(|picker| picker.kind);
     match meant {
         Some(command) if command.name == "quit" && lies_over_the_view(state) => {
             // Without a scene there is nothing behind the list of scenes.
@@ -80,9 +81,9 @@ fn pass(state: &mut State, event: KeyEvent) {
             (command.run)(state);
         }
         None if state.help.is_some() => press_in_help(state, key),
-        None if key.code == KeyCode::Tab && lists_scenes(state) => {
+        None if key.code == KeyCode::Tab && kind == Some(PickerKind::Scenes) => {
             // A file of the user is completed on the line.
-            let typed = state.entry().map(|entry| format!("open {entry}"));
+            let typed = state.entry().map(|entry| format!("open {}", &**entry));
             state.open_prompt(PromptKind::Command, typed.unwrap_or_default());
             complete(state, 1);
         }
@@ -95,13 +96,9 @@ fn pass(state: &mut State, event: KeyEvent) {
 /// text is at its end.
 pub(crate) fn prepare(state: &mut State) {
     picker::preview(state);
-    if state.entry().is_some_and(Entry::is_cut) {
+    if state.entry().is_some_and(|entry| entry.cut) {
         state.say(Role::Bad, text!("say-too-long", most = number(LONGEST)));
     }
-}
-
-fn lists_scenes(state: &State) -> bool {
-    state.picker.as_ref().is_some_and(|picker| picker.kind == PickerKind::Scenes)
 }
 
 /// Whether something is open that `q` closes before it leaves the program.

@@ -30,11 +30,11 @@ fn ctrl_c_ends_before_any_key_that_waits_is_applied() {
     // In the view, and where text is typed.
     for keys in ["1", "/", ":", "?", "? /", "p"] {
         let mut session = session(keys);
-        let before = (session.state.position, session.state.entry().map(ToString::to_string));
+        let before = (session.state.position, session.state.entry().map(|entry| (**entry).to_owned()));
         flooded(&session, if keys == "1" { KeyCode::Right } else { KeyCode::Char('x') });
         session.apply_what_waits();
         assert!(matches!(session.state.effects[..], [Effect::Quit]), "{keys}: {:?}", session.state.effects);
-        let after = (session.state.position, session.state.entry().map(ToString::to_string));
+        let after = (session.state.position, session.state.entry().map(|entry| (**entry).to_owned()));
         assert_eq!(after, before, "{keys}");
         assert!(session.inbox.is_empty(), "{keys}");
     }

@@ -19,7 +19,6 @@ use assur_analysis::results::Column;
 use assur_figure::Figure;
 use assur_words::{Language, Text, number, text};
 use ratatui::layout::Rect;
-use ratatui::style::Style;
 
 pub(crate) use crate::session::Source;
 pub(crate) use assur_figure::Zoom;
@@ -141,10 +140,6 @@ impl State {
     pub(crate) fn told(&self, text: impl Into<Text>) -> String {
         let told = text.into().render(self.language());
         if self.look.ascii { assur_words::latin(&told).into_owned() } else { told }
-    }
-
-    pub(crate) fn style(&self, role: Role) -> Style {
-        self.look.theme.style(role)
     }
 
     /// Whether figures are shown as pictures now: not below a list or a text that is open.

@@ -2,7 +2,6 @@
 //! list, letters in order and not necessarily side by side.
 
 use std::cmp::Reverse;
-use std::fmt;
 use std::ops::Deref;
 
 use assur_words::Text;
@@ -20,8 +19,8 @@ pub(crate) const LONGEST: usize = 1024;
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(crate) struct Entry {
     text: String,
-    /// Whether something was left out.
-    cut: bool,
+    /// Whether something was left out since the last letter was removed.
+    pub(crate) cut: bool,
 }
 
 impl Entry {
@@ -45,11 +44,6 @@ impl Entry {
         self.text.push_str(&text[..taken]);
         self.cut |= taken < text.len();
     }
-
-    /// Whether something was left out since the last letter was removed.
-    pub(crate) fn is_cut(&self) -> bool {
-        self.cut
-    }
 }
 
 impl From<&str> for Entry {
@@ -65,12 +59,6 @@ impl Deref for Entry {
 
     fn deref(&self) -> &str {
         &self.text
-    }
-}
-
-impl fmt::Display for Entry {
-    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        out.write_str(&self.text)
     }
 }
 

@@ -1,6 +1,7 @@
 //! No size of the terminal, and of a view, is too small.
 
 use super::{View, frame, opened, text};
+use crate::screen::draw::Pen;
 use crate::screen::state::State;
 
 fn all_parts(state: &mut State, view: View, mut check: impl FnMut(&State)) {
@@ -42,7 +43,7 @@ fn every_size_is_drawn_with_the_list_of_values() {
         for height in 0..=20 {
             let area = ratatui::layout::Rect::new(0, 0, width, height);
             let mut buffer = ratatui::buffer::Buffer::empty(area);
-            crate::screen::view::values::draw(&state, area, &mut buffer);
+            crate::screen::view::values::draw(&mut Pen { state: &state, buffer: &mut buffer }, area);
         }
     }
 }
@@ -57,7 +58,7 @@ fn every_view_survives_any_area() {
                 for height in [0, 1, 2, 3, 4, 5, 9, 17] {
                     let area = ratatui::layout::Rect::new(3, 2, width, height);
                     let mut buffer = ratatui::buffer::Buffer::empty(ratatui::layout::Rect::new(0, 0, 50, 25));
-                    crate::screen::view::draw_view(state, view, area, &mut buffer);
+                    crate::screen::view::draw_view(&mut Pen { state, buffer: &mut buffer }, view, area);
                 }
             }
         });

@@ -1,17 +1,16 @@
 //! The text where a view has nothing to show: why, and what to add to the scene.
 
 use assur_words::{Text, joined, name, text};
-use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::footer::calculating;
-use crate::screen::draw::{put, short, wrapped};
+use crate::screen::draw::{Pen, short, wrapped};
 use crate::screen::state::{Role, Scene, State, View};
 
-pub(super) fn draw(state: &State, scene: &Scene, view: View, area: Rect, buffer: &mut Buffer) {
+pub(super) fn draw(pen: &mut Pen<'_>, scene: &Scene, view: View, area: Rect) {
     let width = usize::from(area.width.max(12)) - 4;
-    for (row, line) in rows(&state.told(text(state, scene, view)), width).iter().enumerate() {
-        put(buffer, area, 2, short(row) + 1, line, state.style(Role::Plain));
+    for (row, line) in rows(&pen.state.told(text(pen.state, scene, view)), width).iter().enumerate() {
+        pen.put(area, 2, short(row) + 1, line, Role::Plain);
     }
 }
 

@@ -5,21 +5,20 @@ use assur_book::{Cell, Column, Table};
 use assur_picture::curves::residuals;
 use assur_report::topic;
 use assur_words::{Text, text};
-use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
 use super::page;
-use crate::screen::draw::{paint, short};
-use crate::screen::state::{Role, Scene, State};
+use crate::screen::draw::{Pen, short};
+use crate::screen::state::{Role, Scene};
 
 /// Rows that the curve of a residual needs.
 const CURVE: u16 = 10;
 
 /// Draws the view: the table, and below it the residuals where there is room.
-pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer) {
+pub(super) fn draw(pen: &mut Pen<'_>, scene: &Scene, area: Rect) {
     let Some(found) = &scene.found else { return };
     let checks = &found.analysis.checks;
-    let lines = page::told(state, area.width.saturating_sub(2), |page| topic::checks(checks, page));
+    let lines = page::told(pen.state, area.width.saturating_sub(2), |page| topic::checks(checks, page));
     let rows = short(lines.len()) + 1;
     let below = if area.height >= rows + CURVE { area.height - rows } else { 0 };
     let [table, below] = Layout::vertical([Constraint::Min(0), Constraint::Length(below)]).areas(area);
@@ -28,22 +27,22 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
         Some(false) => Role::Bad,
         None => Role::Plain,
     };
-    page::draw_chosen(state, &lines, (state.chosen.check, 0), &of_row, table, buffer);
-    let mut figure = residuals(scene, &state.pictured());
+    page::draw_chosen(pen, &lines, (pen.state.chosen.check, 0), &of_row, table);
+    let mut figure = residuals(scene, &pen.state.pictured());
     figure.panels.truncate(usize::from(below.height / CURVE));
-    paint(state, &figure, below, buffer);
+    pen.paint(&figure, below);
 }
 
 /// Draws the results that are asked for first, of which one is chosen.
-pub(super) fn draw_results(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer) {
+pub(super) fn draw_results(pen: &mut Pen<'_>, scene: &Scene, area: Rect) {
     let Some(found) = &scene.found else { return };
     let heads = [text!("fact-quantity"), text!("fact-value"), text!("fact-place")].map(Column::of);
     let facts = found.results.iter().map(|(_, fact)| fact);
     let rows = facts.map(|fact| [fact.what(), fact.with_unit(), fact.place()].map(Cell::Text));
     let table = Table::list(Text::default(), heads).rows(rows);
-    let lines = page::told(state, area.width.saturating_sub(2), |page| {
+    let lines = page::told(pen.state, area.width.saturating_sub(2), |page| {
         page.table(table);
         page.paragraph(text!("report-between"));
     });
-    page::draw_chosen(state, &lines, (state.chosen.result, 1), &|_| Role::Plain, area, buffer);
+    page::draw_chosen(pen, &lines, (pen.state.chosen.result, 1), &|_| Role::Plain, area);
 }

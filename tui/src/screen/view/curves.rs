@@ -6,17 +6,19 @@ use assur_picture::curves::{figure, picked};
 use assur_picture::plots;
 use assur_report::text::Line;
 use assur_words::{self as words, Text, text, unit};
-use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
 use super::page;
 use crate::number::trimmed;
-use crate::screen::draw::{cut, paint, put, short};
+use crate::screen::draw::{Pen, cut, short};
 use crate::screen::state::{Role, Scene, Series, State, coordinate_unit};
 
-pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer) {
+pub(super) fn draw(pen: &mut Pen<'_>, scene: &Scene, area: Rect) {
+    let state = pen.state;
     if !state.picked.is_empty() {
-        return draw_picked(state, scene, area, buffer);
+        let [table, charts] = parts_of_picked(state, scene, area);
+        page::draw(pen, &extremes(state, scene, area.width), &|_| Role::Plain, table);
+        return pen.paint(&figure(scene, &state.pictured()), charts);
     }
     let [title, charts] = parts(area);
     let figure = figure(scene, &state.pictured());
@@ -24,9 +26,9 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
     let legend = state.told(legend);
     let column = title.width.saturating_sub(short(legend.chars().count()) + 1);
     let header = cut(&state.told(&figure.title), usize::from(column.saturating_sub(2)));
-    put(buffer, title, 1, 0, &header, state.style(Role::Header));
-    put(buffer, title, column, 0, &legend, state.style(Role::Dim));
-    paint(state, &figure, charts, buffer);
+    pen.put(title, 1, 0, &header, Role::Header);
+    pen.put(title, column, 0, &legend, Role::Dim);
+    pen.paint(&figure, charts);
 }
 
 fn parts(area: Rect) -> [Rect; 2] {
@@ -50,12 +52,6 @@ pub(crate) fn position_at(state: &State, area: Rect, [column, row]: [u16; 2]) ->
 
 /// The heads of the table of extremes and means, behind the name and the unit.
 const HEADS: [&str; 6] = ["curve-greatest", "curve-at", "curve-least", "curve-at", "curve-mean", "curve-rms"];
-
-fn draw_picked(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer) {
-    let [table, charts] = parts_of_picked(state, scene, area);
-    page::draw(state, &extremes(state, scene, area.width), &|_| Role::Plain, table, buffer);
-    paint(state, &figure(scene, &state.pictured()), charts, buffer);
-}
 
 /// Digits of the coordinate of an extreme.
 const PLACE: usize = 5;

@@ -6,13 +6,12 @@ use assur_picture::{in_a_line, regime};
 use assur_report::text::Line;
 use assur_report::topic::{self, Source};
 use assur_words::{Describe, Text, name, text};
-use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 use unicode_width::UnicodeWidthStr;
 
 use super::motion::numbers;
 use super::page;
-use crate::screen::draw::{cut, paint, put, short};
+use crate::screen::draw::{Pen, cut, short};
 use crate::screen::state::{Found, Role, Scene, State, View, ViewPart};
 
 /// Columns of motor and flywheel beside the numbers of the regime.
@@ -32,67 +31,57 @@ const MOTOR: [&str; 9] = [
     "fact-rms-torque",
 ];
 
-pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer) {
+pub(super) fn draw(pen: &mut Pen<'_>, scene: &Scene, area: Rect) {
+    let state = pen.state;
     let Some(found) = &scene.found else { return };
     let Some(dynamics) = &found.analysis.dynamics else { return };
     let [title, area] = Layout::vertical([Constraint::Length(1), Constraint::Min(0)]).areas(area);
     let facts = topic::regime_facts(&found.analysis);
     let heading = in_a_line(&facts, &["fact-unevenness", "fact-mean-speed", "fact-flywheel"]);
-    put(buffer, title, 1, 0, &state.told(heading), state.style(Role::Header));
+    pen.tell(title, 1, 0, heading, Role::Header);
     match state.part(View::Drive) {
         ViewPart::Curves | ViewPart::EnergyMass | ViewPart::Inertia | ViewPart::Reduction => {
-            paint(state, &regime::drive(scene, &state.pictured(), state.part(View::Drive), 1), area, buffer);
+            pen.paint(&regime::drive(scene, &state.pictured(), state.part(View::Drive), 1), area);
         }
         ViewPart::Places => {
             let lines = whole(state, scene, area.width);
             // The two drives have room below, or stand in the picture of this part.
             let rows = short(lines.len()) + 1;
             let skip = state.chosen.line.min(lines.len().saturating_sub(area.height.into()));
-            page::draw(state, &lines[skip..], &|_| Role::Plain, area, buffer);
+            page::draw(pen, &lines[skip..], &|_| Role::Plain, area);
             if area.height > rows + PLOTS {
                 let below = Rect { y: area.y + rows, height: area.height - rows, ..area };
-                paint(
-                    state,
-                    &regime::drive(scene, &state.pictured(), state.part(View::Drive), 2),
-                    below,
-                    buffer,
-                );
+                pen.paint(&regime::drive(scene, &state.pictured(), state.part(View::Drive), 2), below);
             }
         }
-        _ => overview(state, scene, found, dynamics, area, buffer),
+        _ => overview(pen, scene, found, dynamics, area),
     }
 }
 
 /// Motor and flywheel, beside them the regime, below them the plots where there is room.
-fn overview(
-    state: &State,
-    scene: &Scene,
-    found: &Found,
-    dynamics: &Dynamics,
-    area: Rect,
-    buffer: &mut Buffer,
-) {
-    let area = warned(state, dynamics, area, buffer);
+fn overview(pen: &mut Pen<'_>, scene: &Scene, found: &Found, dynamics: &Dynamics, area: Rect) {
+    let state = pen.state;
+    let area = warned(pen, dynamics, area);
     let [left, right] = Layout::horizontal([Constraint::Length(LEFT), Constraint::Min(0)]).areas(area);
     let lines = motor_and_flywheel(state, found, dynamics);
-    page::draw(state, &lines, &|_| Role::Plain, left, buffer);
+    page::draw(pen, &lines, &|_| Role::Plain, left);
     let numbers = numbers(state, &found.analysis, right.width.saturating_sub(1));
-    page::draw(state, &numbers, &|_| Role::Plain, right, buffer);
+    page::draw(pen, &numbers, &|_| Role::Plain, right);
     let rows = short(lines.len().max(numbers.len())) + 1;
     if area.height > rows + PLOTS {
         let below = Rect { y: area.y + rows, height: area.height - rows, ..area };
-        paint(state, &regime::drive(scene, &state.pictured(), state.part(View::Drive), 2), below, buffer);
+        pen.paint(&regime::drive(scene, &state.pictured(), state.part(View::Drive), 2), below);
     }
 }
 
 /// A notice if there are warnings, whose full text is in the page of the whole drive; returns the remaining area.
-fn warned(state: &State, dynamics: &Dynamics, area: Rect, buffer: &mut Buffer) -> Rect {
+fn warned(pen: &mut Pen<'_>, dynamics: &Dynamics, area: Rect) -> Rect {
     let Some(first) = dynamics.motor.as_ref().and_then(|motor| motor.warnings.first()) else { return area };
     let [line, rest] = Layout::vertical([Constraint::Length(1), Constraint::Min(0)]).areas(area);
-    let more = state.told(text!("drive-warning-more", key = name(state.keys.first("part"))));
+    let more = pen.state.told(text!("drive-warning-more", key = name(pen.state.keys.first("part"))));
     let room = usize::from(area.width.saturating_sub(6)).saturating_sub(more.width());
-    let first = state.told(first.describe());
-    put(buffer, line, 1, 0, &format!("! {}  {more}", cut(&first, room)), state.style(Role::Bad));
+    let first = pen.state.told(first.describe());
+    pen.put(line, 1, 0, &format!("! {}  {more}", cut(&first, room)), Role::Bad);
     rest
 }
 

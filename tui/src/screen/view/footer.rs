@@ -2,49 +2,49 @@
 
 use assur_words::{Text, name, text};
 use crossterm::event::KeyCode;
-use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::widgets::{Block, Clear, Widget};
 use unicode_width::UnicodeWidthStr;
 
-use crate::screen::draw::{folded, put, short, wrapped};
+use crate::screen::draw::{Pen, folded, short, wrapped};
 use crate::screen::state::{Command, Key, PickerKind, PromptKind, Role, Running, State, View};
 
 /// A command that applies in at most this many views belongs to them.
 const OWN: usize = 4;
 
-pub(super) fn draw(state: &State, area: Rect, buffer: &mut Buffer) {
+pub(super) fn draw(pen: &mut Pen<'_>, area: Rect) {
+    let state = pen.state;
     if let Some(prompt) = &state.prompt {
         let sign = if prompt.kind == PromptKind::Command { ':' } else { '/' };
-        let text = format!("{sign}{}", prompt.text);
+        let text = format!("{sign}{}", &*prompt.text);
         // The end of a long line is what is being written.
         let skip = text.chars().count().saturating_sub(usize::from(area.width).saturating_sub(2));
         let text: String = text.chars().skip(skip).collect();
-        put(buffer, area, 0, 1, &text, state.style(Role::Plain));
-        put(buffer, area, short(text.width()), 1, " ", state.style(Role::Cursor));
+        pen.put(area, 0, 1, &text, Role::Plain);
+        pen.put(area, short(text.width()), 1, " ", Role::Cursor);
     } else if let Some(file) = &state.question {
         let file = name(file.path.display().to_string());
-        put(buffer, area, 1, 1, &state.told(text!("overwrite", file = file)), state.style(Role::Bad));
+        pen.tell(area, 1, 1, text!("overwrite", file = file), Role::Bad);
     } else if let Some((role, text)) = &state.message {
         let told = state.told(text);
         let lines = wrapped(&told, usize::from(area.width.saturating_sub(2)).max(1));
         // A long message takes the row of the keys too.
         if let ([one, other, ..], None) = (&lines[..], &state.picker) {
-            put(buffer, area, 1, 0, one, state.style(*role));
-            put(buffer, area, 1, 1, other, state.style(*role));
+            pen.put(area, 1, 0, one, *role);
+            pen.put(area, 1, 1, other, *role);
             return;
         }
-        put(buffer, area, 1, 1, &told, state.style(*role));
+        pen.put(area, 1, 1, &told, *role);
     } else if let Some(failure) = failure(state) {
-        put(buffer, area, 1, 0, &state.told(failure), state.style(Role::Bad));
+        pen.tell(area, 1, 0, failure, Role::Bad);
     } else if let Some(running) = state.analyzing() {
         let text = calculating(state, running);
-        put(buffer, area, 1, 0, &state.told(text), state.style(Role::Dim));
+        pen.tell(area, 1, 0, text, Role::Dim);
     }
     match (&state.help, &state.picker, &state.message) {
         // The line that is written stands below.
         (.., Some((role, text))) if state.prompt.is_some() => {
-            put(buffer, area, 1, 0, &state.told(text), state.style(*role));
+            pen.tell(area, 1, 0, text, *role);
         }
         (None, Some(picker), _) => {
             let mark =
@@ -52,9 +52,9 @@ pub(super) fn draw(state: &State, area: Rect, buffer: &mut Buffer) {
             let limits = if picker.kind == PickerKind::Motors { "  :motors 1.5 kW, 1500 rpm" } else { "" };
             let close = name(state.keys.first("close"));
             let text = state.told(text!("list-keys", mark = mark, close = close)) + limits;
-            put(buffer, area, 1, 0, &text, state.style(Role::Plain));
+            pen.put(area, 1, 0, &text, Role::Plain);
         }
-        _ => draw_hints(state, area, buffer),
+        _ => draw_hints(pen, area),
     }
 }
 
@@ -76,7 +76,8 @@ fn failure(state: &State) -> Option<&Text> {
 }
 
 /// The keys of this view, in both rows where nothing else is said; the keys of the program stand at the right.
-fn draw_hints(state: &State, area: Rect, buffer: &mut Buffer) {
+fn draw_hints(pen: &mut Pen<'_>, area: Rect) {
+    let state = pen.state;
     let language = state.language();
     let below = state.prompt.is_some() || state.question.is_some() || state.message.is_some();
     let above = !below && (failure(state).is_some() || state.analyzing().is_some());
@@ -106,14 +107,14 @@ fn draw_hints(state: &State, area: Rect, buffer: &mut Buffer) {
             if column + width > room {
                 break;
             }
-            put(buffer, area, column, *row, &key, state.style(Role::Key));
-            put(buffer, area, column + short(key.width()) + 1, *row, hint, state.style(Role::Plain));
+            pen.put(area, column, *row, &key, Role::Key);
+            pen.put(area, column + short(key.width()) + 1, *row, hint, Role::Plain);
             column += width;
             hints.next();
         }
     }
     let column = area.width.saturating_sub(short(fixed.width()) + 1);
-    put(buffer, area, column, rows[rows.len() - 1], &fixed, state.style(Role::Plain));
+    pen.put(area, column, rows[rows.len() - 1], &fixed, Role::Plain);
 }
 
 /// Commands that have a key now: first stepping, then the list of values, the commands of the view alone, and the
@@ -166,7 +167,8 @@ fn keys_of_hint(state: &State, command: &'static Command) -> String {
     }
 }
 
-pub(crate) fn draw_fault(state: &State, [title, fault]: [&Text; 2], area: Rect, buffer: &mut Buffer) {
+pub(crate) fn draw_fault(pen: &mut Pen<'_>, [title, fault]: [&Text; 2], area: Rect) {
+    let state = pen.state;
     let (title, fault) = (state.told(title), state.told(fault));
     let width = usize::from(area.width.saturating_sub(2));
     // A line of the file stays one row, because the next row marks a place in it.
@@ -190,11 +192,11 @@ pub(crate) fn draw_fault(state: &State, [title, fault]: [&Text; 2], area: Rect, 
     let lines = short(fault.len());
     let height = (lines + 2).min(area.height);
     let place = Rect::new(area.x, area.y + (area.height - height) / 2, area.width, height);
-    Clear.render(place, buffer);
-    let block = Block::bordered().title(title).style(state.style(Role::Plain));
+    Clear.render(place, pen.buffer);
+    let block = Block::bordered().title(title).style(state.look.theme.style(Role::Plain));
     let inner = block.inner(place);
-    block.render(place, buffer);
+    block.render(place, pen.buffer);
     for (row, line) in fault.iter().enumerate() {
-        put(buffer, inner, 0, short(row), line, state.style(Role::Plain));
+        pen.put(inner, 0, short(row), line, Role::Plain);
     }
 }

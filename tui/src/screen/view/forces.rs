@@ -1,37 +1,28 @@
 //! Reactions of the position as a table, with their curves; and the chosen one by cause.
 
-use assur_book::{Cell, Column, Table, Unit};
+use assur_book::{Cell, Column, Table, Unit, beside};
 use assur_diagram::Split;
 use assur_picture::causes::{CauseShare, part, parts, sum};
 use assur_picture::forces::{difference, figure, heading};
 use assur_picture::plans::has_forces;
 use assur_report::topic::{direction, force_heads};
 use assur_words::{Text, joined, name, number, text};
-use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
 use super::page;
-use crate::screen::draw::{paint, put, short};
+use crate::screen::draw::{Pen, short};
 use crate::screen::state::{Found, Reaction, Role, Scene, State, View, ViewPart};
 
-/// A share this small compared with the greatest one counts as zero.
-const ROUNDING: f64 = 1e-13;
 /// Rows of a chart below the table.
 const BELOW: u16 = 9;
 /// Rows that a chart needs at least.
 const LEAST: u16 = 5;
 
-pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer) {
+pub(super) fn draw(pen: &mut Pen<'_>, scene: &Scene, area: Rect) {
+    let state = pen.state;
     let Some(found) = &scene.found else { return };
     let [title, rest] = Layout::vertical([Constraint::Length(1), Constraint::Min(0)]).areas(area);
-    put(
-        buffer,
-        title,
-        1,
-        0,
-        &state.told(heading(scene, &state.pictured(), found)),
-        state.style(Role::Header),
-    );
+    pen.tell(title, 1, 0, heading(scene, &state.pictured(), found), Role::Header);
     match state.part(View::Forces) {
         ViewPart::Overview => {
             let rows = short(found.reactions.len()) + 2;
@@ -40,25 +31,25 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
             let below = if rest.height > 2 * BELOW { below.max(BELOW) } else { below };
             let [table, below] =
                 Layout::vertical([Constraint::Min(0), Constraint::Length(below)]).areas(rest);
-            draw_table(state, scene, found, table, buffer);
+            draw_table(pen, scene, found, table);
             if below.height >= LEAST {
-                paint(state, &figure(scene, &state.pictured(), state.part(View::Forces)), below, buffer);
+                pen.paint(&figure(scene, &state.pictured(), state.part(View::Forces)), below);
             }
         }
-        ViewPart::Causes => draw_causes(state, scene, found, rest, buffer),
-        _ => paint(state, &figure(scene, &state.pictured(), state.part(View::Forces)), rest, buffer),
+        ViewPart::Causes => draw_causes(pen, scene, found, rest),
+        _ => pen.paint(&figure(scene, &state.pictured(), state.part(View::Forces)), rest),
     }
 }
 
-fn draw_table(state: &State, scene: &Scene, found: &Found, area: Rect, buffer: &mut Buffer) {
+fn draw_table(pen: &mut Pen<'_>, scene: &Scene, found: &Found, area: Rect) {
     let (letter, of) = if scene.other.is_some() { ("|dF|", Unit::FORCE) } else { ("M", Unit::MOMENT) };
     let last = Column::short(name(letter), of);
-    let rows = found.reactions.iter().map(|reaction| cells(state, scene, found, reaction));
+    let rows = found.reactions.iter().map(|reaction| cells(pen.state, scene, found, reaction));
     let table = Table::list(Text::default(), heads(text!("forces-pair"), last)).rows(rows);
-    let lines = page::told(state, area.width.saturating_sub(2), |page| page.table(table));
+    let lines = page::told(pen.state, area.width.saturating_sub(2), |page| page.table(table));
     // The balancing load, the last one, stays in sight below the reactions.
     let pinned = usize::from(found.balancing().is_some());
-    page::draw_chosen(state, &lines, (state.chosen.reaction, pinned), &|_| Role::Plain, area, buffer);
+    page::draw_chosen(pen, &lines, (pen.state.chosen.reaction, pinned), &|_| Role::Plain, area);
 }
 
 fn cells(state: &State, scene: &Scene, found: &Found, reaction: &Reaction) -> [Cell; 6] {
@@ -79,15 +70,16 @@ fn cells(state: &State, scene: &Scene, found: &Found, reaction: &Reaction) -> [C
 }
 
 /// The chosen reaction by cause.
-fn draw_causes(state: &State, scene: &Scene, found: &Found, area: Rect, buffer: &mut Buffer) {
+fn draw_causes(pen: &mut Pen<'_>, scene: &Scene, found: &Found, area: Rect) {
+    let state = pen.state;
     let Some(reaction) = found.reactions.get(state.chosen.reaction) else { return };
     let plans = found.plans.at(state.position);
     let Some(split) = plans.by_cause().filter(|_| has_forces(found, state.position)) else {
-        put(buffer, area, 1, 0, &state.told(text!("forces-not-determined")), state.style(Role::Plain));
+        pen.tell(area, 1, 0, text!("forces-not-determined"), Role::Plain);
         return;
     };
     let title = text!("forces-by-cause", reaction = &reaction.name);
-    put(buffer, area, 1, 0, &state.told(title), state.style(Role::Header));
+    pen.tell(area, 1, 0, title, Role::Header);
     let parts = parts(split, reaction);
     let below = Rect { y: area.y + 1, height: area.height.saturating_sub(1), ..area };
     // Header, sum and total are always shown.
@@ -96,8 +88,8 @@ fn draw_causes(state: &State, scene: &Scene, found: &Found, area: Rect, buffer: 
     let lines = page::told(state, area.width.saturating_sub(2), |page| page.table(table));
     let rows = Constraint::Length(short(lines.len() + 1).min(below.height));
     let [rows, below] = Layout::vertical([rows, Constraint::Min(0)]).areas(below);
-    page::draw(state, &lines, &|_| Role::Plain, rows, buffer);
-    paint(state, &figure(scene, &state.pictured(), ViewPart::Causes), below, buffer);
+    page::draw(pen, &lines, &|_| Role::Plain, rows);
+    pen.paint(&figure(scene, &state.pictured(), ViewPart::Causes), below);
 }
 
 /// A row for each cause, their sum, and the total of the analyzer. Causes without room in so many rows are summarized.
@@ -114,8 +106,8 @@ fn table_of_causes(
     let sum_of_all = sum(parts, text!("forces-sum"));
     let whole = part(&split.whole, reaction);
     let whole = CauseShare { cause: text!("forces-whole", method = name(found.analyzer.clone())), ..whole };
-    let least = ROUNDING * parts.iter().chain([&whole]).map(size).fold(0.0, f64::max);
-    let clean = |value: f64| if value.abs() <= least { 0.0 } else { value };
+    let greatest = parts.iter().chain([&whole]).map(size).fold(0.0, f64::max);
+    let clean = |value: f64| beside(greatest, value);
     let cells = |part: CauseShare| {
         let force = part.force.map(|force| force.map(clean));
         row(

@@ -1,26 +1,25 @@
 //! The first two rows: scene and position, and the views.
 
 use assur_words::{Text, name, number, quantity, text};
-use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use unicode_width::UnicodeWidthStr;
 
 use super::values;
 use crate::number::digits;
-use crate::screen::draw::{put, short};
+use crate::screen::draw::{Pen, short};
 use crate::screen::state::{Role, Scene, State, View, coordinate_unit};
 
 /// Columns that the key of a changed value can spare.
 const KEY_ROOM: usize = 20;
 
-pub(super) fn draw(state: &State, area: Rect, buffer: &mut Buffer) {
-    let style = state.style(Role::Header);
+pub(super) fn draw(pen: &mut Pen<'_>, area: Rect) {
+    let state = pen.state;
     let Some(scene) = &state.scene else {
-        put(buffer, area, 0, 0, concat!("assur ", env!("CARGO_PKG_VERSION")), style);
+        pen.put(area, 0, 0, concat!("assur ", env!("CARGO_PKG_VERSION")), Role::Header);
         return;
     };
     let position = position(state, scene);
-    put(buffer, area, 1, 0, &position, style);
+    pen.put(area, 1, 0, &position, Role::Header);
     let column = short(position.width() + 4);
     let room = usize::from(area.width.saturating_sub(column));
     let (role, text) = match changed(state, room) {
@@ -28,8 +27,8 @@ pub(super) fn draw(state: &State, area: Rect, buffer: &mut Buffer) {
         Some(text) => (Role::Header, text),
         None => (Role::Plain, state.told(title(state, scene))),
     };
-    put(buffer, area, column, 0, &text, state.style(role));
-    draw_tabs(state, area, buffer);
+    pen.put(area, column, 0, &text, role);
+    draw_tabs(pen, area);
 }
 
 fn title(state: &State, scene: &Scene) -> Text {
@@ -67,21 +66,21 @@ fn position(state: &State, scene: &Scene) -> String {
     format!("{position}  {}{playing}", state.told(quantity(coordinate, unit)))
 }
 
-fn draw_tabs(state: &State, area: Rect, buffer: &mut Buffer) {
-    let language = state.language();
-    let tabs = View::TABS.map(|view| (state.keys.first(view.command()), view));
+fn draw_tabs(pen: &mut Pen<'_>, area: Rect) {
+    let language = pen.state.language();
+    let tabs = View::TABS.map(|view| (pen.state.keys.first(view.command()), view));
     let whole: usize =
         tabs.iter().map(|(key, view)| key.width() + view.name().render(language).width() + 2).sum();
     // If not all fit, the names are short and there is no space between key and name.
     let fit = whole <= usize::from(area.width) + 1;
     let mut column = 0;
     for (key, view) in tabs {
-        let [key_role, role] = if view == state.view { [Role::Tab; 2] } else { [Role::Key, Role::Dim] };
+        let [key_role, role] = if view == pen.state.view { [Role::Tab; 2] } else { [Role::Key, Role::Dim] };
         let key = format!("{key}{}", if fit || key.width() > 1 { " " } else { "" });
-        put(buffer, area, column, 1, &key, state.style(key_role));
+        pen.put(area, column, 1, &key, key_role);
         column += short(key.width());
         let name = if fit { view.name().render(language) } else { view.short_name(language) };
-        put(buffer, area, column, 1, &name, state.style(role));
+        pen.put(area, column, 1, &name, role);
         column += short(name.width()) + 1;
     }
 }

@@ -1,11 +1,10 @@
 //! The help: every command by group, with its keys, and the words of the field; typing searches.
 
 use assur_words::{Text, joined, name, text};
-use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::widgets::{Block, Clear, Widget};
 
-use crate::screen::draw::{put, short, wrapped};
+use crate::screen::draw::{Pen, short, wrapped};
 use crate::screen::state::{Command, Group, Help, Role, State, View};
 
 /// Columns of the keys, the name and the line of help.
@@ -38,25 +37,29 @@ const GLOSSARY: [&str; 18] = [
 /// The pieces of one row: column, style and text of each.
 type Pieces = Vec<(u16, Role, String)>;
 
-pub(super) fn draw(state: &State, area: Rect, buffer: &mut Buffer) {
+pub(super) fn draw(pen: &mut Pen<'_>, area: Rect) {
+    let state = pen.state;
     let Some(help) = &state.help else { return };
-    Clear.render(area, buffer);
-    let search =
-        if help.filter.typing { format!("/{}", help.filter.text) } else { state.told(text!("help-search")) };
+    Clear.render(area, pen.buffer);
+    let search = if help.filter.typing {
+        format!("/{}", &*help.filter.text)
+    } else {
+        state.told(text!("help-search"))
+    };
     let block = Block::bordered().title(state.told(text!("help-title"))).title_bottom(search);
     let inner = block.inner(area);
-    block.render(area, buffer);
+    block.render(area, pen.buffer);
     let rows = rows(state, help);
     for (line, row) in rows.iter().skip(help.scroll).take(usize::from(inner.height)).enumerate() {
         for (column, role, text) in row {
-            put(buffer, inner, *column, short(line), text, state.style(*role));
+            pen.put(inner, *column, short(line), text, *role);
         }
     }
     let shown = help.scroll + usize::from(inner.height);
     if rows.len() > shown || help.scroll > 0 {
         let text = format!("{}-{} / {}", help.scroll + 1, shown.min(rows.len()), rows.len());
         let column = area.width.saturating_sub(short(text.len()) + 2);
-        put(buffer, area, column, 0, &text, state.style(Role::Plain));
+        pen.put(area, column, 0, &text, Role::Plain);
     }
 }
 
@@ -82,7 +85,7 @@ fn rows(state: &State, help: &Help) -> Vec<Pieces> {
     let words_of = |word: &&'static str| rows_of_word(state, word, &wanted);
     add_section(&mut rows, text!("group-words"), &mut GLOSSARY.iter().flat_map(words_of));
     if rows.is_empty() && !wanted.is_empty() {
-        let sought = name(help.filter.text.to_string());
+        let sought = name((*help.filter.text).to_owned());
         rows.push(vec![(0, Role::Bad, state.told(text!("say-not-found", text = sought)))]);
     }
     rows.push(vec![(0, Role::Plain, state.told(text!("help-linear")))]);

@@ -8,11 +8,10 @@ use assur_mechanism::Motion;
 use assur_picture::arrows;
 use assur_picture::mechanism::figure;
 use assur_words::{self as words, Text, joined, quantity, text};
-use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
 use crate::number::digits;
-use crate::screen::draw::{cells, paint_zoomed, put_lines, wrapped};
+use crate::screen::draw::{Pen, cells, wrapped};
 use crate::screen::state::{Probe, Role, Scene, State};
 
 /// Columns of the numbers next to the drawing.
@@ -20,11 +19,11 @@ const PANEL: u16 = 26;
 /// Longest shaft of an arrow of the legend, in columns.
 const SHAFT: f64 = 12.0;
 
-pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer) {
+pub(super) fn draw(pen: &mut Pen<'_>, scene: &Scene, area: Rect) {
     let [drawing, beside] = parts(area);
-    let figure = figure(scene, &state.pictured(), &[]);
-    paint_zoomed(state, &figure, state.zoom, drawing, buffer);
-    draw_numbers(state, scene, &figure, drawing, beside, buffer);
+    let figure = figure(scene, &pen.state.pictured(), &[]);
+    pen.paint_zoomed(&figure, pen.state.zoom, drawing);
+    draw_numbers(pen, scene, &figure, drawing, beside);
 }
 
 fn parts(area: Rect) -> [Rect; 2] {
@@ -41,14 +40,8 @@ pub(crate) fn place_at(state: &State, area: Rect, [column, row]: [u16; 2]) -> Op
 }
 
 /// The numbers beside the drawing of a figure.
-fn draw_numbers(
-    state: &State,
-    scene: &Scene,
-    figure: &Figure,
-    drawing: Rect,
-    area: Rect,
-    buffer: &mut Buffer,
-) {
+fn draw_numbers(pen: &mut Pen<'_>, scene: &Scene, figure: &Figure, drawing: Rect, area: Rect) {
+    let state = pen.state;
     let plain = |text: String| (Role::Plain, text);
     let mut lines: Vec<_> = input(state, scene).into_iter().map(|text| plain(state.told(text))).collect();
     lines.push(plain(String::new()));
@@ -65,7 +58,7 @@ fn draw_numbers(
         lines.resize(usize::from(area.height).saturating_sub(legend.len() + 1), plain(String::new()));
         lines.extend(legend);
     }
-    put_lines(buffer, area, 1, state, &lines);
+    pen.put_lines(area, 1, &lines);
 }
 
 fn legend(state: &State, scene: &Scene, figure: &Figure, drawing: Rect) -> Vec<(Role, String)> {

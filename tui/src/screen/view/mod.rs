@@ -22,11 +22,9 @@ pub(crate) mod values;
 use assur_figure::Figure;
 use assur_words::{number, text};
 use ratatui::Frame;
-use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
-use ratatui::style::Style;
 
-use crate::screen::draw::{cut, paint, put};
+use crate::screen::draw::{Pen, cut};
 use crate::screen::state::{Role, State, View};
 
 /// Smallest terminal that holds the views.
@@ -41,42 +39,42 @@ const PANEL: u16 = 15;
 pub(crate) fn draw(state: &State, frame: &mut Frame<'_>) {
     state.shown.borrow_mut().clear();
     let area = frame.area();
-    let buffer = frame.buffer_mut();
+    let pen = &mut Pen { state, buffer: frame.buffer_mut() };
     if area.width < LEAST.0 || area.height < LEAST.1 {
         let [width, height] = [LEAST.0, LEAST.1].map(number);
         let [columns, rows] = [area.width, area.height].map(number);
         let text = text!("screen-too-small", width = width, height = height, columns = columns, rows = rows);
-        put(buffer, area, 0, 0, &state.told(text), Style::new());
+        pen.tell(area, 0, 0, text, Role::Plain);
     } else {
         let [header, body, footer] = parts(area);
-        header::draw(state, header, buffer);
-        draw_body(state, body, buffer);
-        footer::draw(state, footer, buffer);
+        header::draw(pen, header);
+        draw_body(pen, body);
+        footer::draw(pen, footer);
         if state.help.is_some() {
-            help::draw(state, body, buffer);
+            help::draw(pen, body);
         } else if let Some((title, fault)) = &state.fault {
-            footer::draw_fault(state, [title, fault], body, buffer);
+            footer::draw_fault(pen, [title, fault], body);
         }
     }
     if state.look.ascii {
-        ascii::replace(buffer);
+        ascii::replace(pen.buffer);
     }
 }
 
-fn draw_body(state: &State, body: Rect, buffer: &mut Buffer) {
-    let [views, list] = shared(state, body);
-    for (number, (view, area)) in tiles(state, views).into_iter().enumerate() {
+fn draw_body(pen: &mut Pen<'_>, body: Rect) {
+    let [views, list] = shared(pen.state, body);
+    for (number, (view, area)) in tiles(pen.state, views).into_iter().enumerate() {
         if number == 0 {
-            draw_view(state, view, area, buffer);
+            draw_view(pen, view, area);
         } else {
-            draw_panel(state, view, area, buffer);
+            draw_panel(pen, view, area);
         }
     }
     if list.height > 0 {
-        values::draw(state, list, buffer);
+        values::draw(pen, list);
     }
-    if let Some(open) = &state.picker {
-        picker::draw(state, open, body, buffer);
+    if let Some(open) = &pen.state.picker {
+        picker::draw(pen, open, body);
     }
 }
 
@@ -127,36 +125,37 @@ pub(crate) fn figure(state: &State, view: View) -> Option<Figure> {
     Some(figure).filter(|figure| !figure.panels.is_empty())
 }
 
-pub(crate) fn draw_view(state: &State, view: View, area: Rect, buffer: &mut Buffer) {
-    let Some(scene) = &state.scene else { return };
-    if !state.has(view) {
-        return advice::draw(state, scene, view, area, buffer);
+pub(crate) fn draw_view(pen: &mut Pen<'_>, view: View, area: Rect) {
+    let Some(scene) = &pen.state.scene else { return };
+    if !pen.state.has(view) {
+        return advice::draw(pen, scene, view, area);
     }
     match view {
-        View::Mechanism => mechanism::draw(state, scene, area, buffer),
-        View::Curves => curves::draw(state, scene, area, buffer),
-        View::Forces => forces::draw(state, scene, area, buffer),
-        View::Plans => plans::draw(state, scene, area, buffer),
-        View::Motion => motion::draw(state, scene, area, buffer),
-        View::Drive => drive::draw(state, scene, area, buffer),
-        View::Checks => checks::draw(state, scene, area, buffer),
-        View::Accuracy | View::Working => report::draw(state, view, area, buffer),
-        View::Structure => structure::draw(state, scene, area, buffer),
-        View::Table => table::draw(state, scene, area, buffer),
-        View::Results => checks::draw_results(state, scene, area, buffer),
+        View::Mechanism => mechanism::draw(pen, scene, area),
+        View::Curves => curves::draw(pen, scene, area),
+        View::Forces => forces::draw(pen, scene, area),
+        View::Plans => plans::draw(pen, scene, area),
+        View::Motion => motion::draw(pen, scene, area),
+        View::Drive => drive::draw(pen, scene, area),
+        View::Checks => checks::draw(pen, scene, area),
+        View::Accuracy | View::Working => report::draw(pen, view, area),
+        View::Structure => structure::draw(pen, scene, area),
+        View::Table => table::draw(pen, scene, area),
+        View::Results => checks::draw_results(pen, scene, area),
         View::Values | View::Probe => {}
     }
 }
 
 /// Draws a view beside the chosen one: its figure alone if it has one, under the name of the view.
-fn draw_panel(state: &State, view: View, area: Rect, buffer: &mut Buffer) {
+fn draw_panel(pen: &mut Pen<'_>, view: View, area: Rect) {
+    let state = pen.state;
     let [title, inside] = Layout::vertical([Constraint::Length(1), Constraint::Min(0)]).areas(Rect {
         x: area.x + 1,
         width: area.width.saturating_sub(1),
         ..area
     });
     for row in 0..area.height {
-        put(buffer, area, 0, row, "│", state.style(Role::Dim));
+        pen.put(area, 0, row, "│", Role::Dim);
     }
     let figure = figure(state, view);
     let heading = match (&figure, &state.scene) {
@@ -166,9 +165,9 @@ fn draw_panel(state: &State, view: View, area: Rect, buffer: &mut Buffer) {
         (None, _) => String::new(),
     };
     let heading = format!("{} {}  {heading}", state.keys.first(view.command()), state.told(view.name()));
-    put(buffer, title, 0, 0, &cut(heading.trim_end(), usize::from(title.width)), state.style(Role::Header));
+    pen.put(title, 0, 0, &cut(heading.trim_end(), usize::from(title.width)), Role::Header);
     match figure {
-        Some(figure) => paint(state, &figure, inside, buffer),
-        None => draw_view(state, view, inside, buffer),
+        Some(figure) => pen.paint(&figure, inside),
+        None => draw_view(pen, view, inside),
     }
 }

@@ -7,11 +7,10 @@ use assur_picture::motion::{figure, heading};
 use assur_report::text::Line;
 use assur_report::topic::{self, Source};
 use assur_words::Text;
-use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
 use super::page;
-use crate::screen::draw::{paint, put, short};
+use crate::screen::draw::{Pen, short};
 use crate::screen::state::{Found, Role, Scene, State, View, ViewPart};
 
 /// Least number of rows of a readable chart.
@@ -21,37 +20,36 @@ const NUMBERS: u16 = 30;
 /// Rows that the curves below the table of the iteration need.
 const ITERATION: u16 = 8;
 
-pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer) {
+pub(super) fn draw(pen: &mut Pen<'_>, scene: &Scene, area: Rect) {
+    let state = pen.state;
     let Some(found) = &scene.found else { return };
     let (role, text) = (role(found), heading(found));
     let [title, area] =
         Layout::vertical([Constraint::Length(u16::from(!text.is_empty())), Constraint::Min(0)]).areas(area);
-    put(buffer, title, 1, 0, &state.told(text), state.style(role));
+    pen.tell(title, 1, 0, text, role);
     // The tables need the whole width.
     if state.part(View::Motion) == ViewPart::Iteration {
-        return iteration(state, scene, found, area, buffer);
+        return iteration(pen, scene, found, area);
     }
     let lines = numbers(state, &found.analysis, NUMBERS - 1);
     let width = if lines.is_empty() { 0 } else { NUMBERS };
     let [charts, numbers] = Layout::horizontal([Constraint::Min(0), Constraint::Length(width)]).areas(area);
-    page::draw(state, &lines, &|_| Role::Plain, numbers, buffer);
+    page::draw(pen, &lines, &|_| Role::Plain, numbers);
     let most = usize::from(charts.height.saturating_sub(2) / LEAST_ROWS);
-    paint(state, &figure(scene, &state.pictured(), state.part(View::Motion), most), charts, buffer);
+    pen.paint(&figure(scene, &state.pictured(), state.part(View::Motion), most), charts);
 }
 
 /// How the regime was found, as the report tells it, and below it the same as curves where there is room.
-fn iteration(state: &State, scene: &Scene, found: &Found, area: Rect, buffer: &mut Buffer) {
-    let lines = told(state, scene, found, area.width);
-    let skip = state.chosen.line.min(lines.len().saturating_sub(area.height.into()));
+fn iteration(pen: &mut Pen<'_>, scene: &Scene, found: &Found, area: Rect) {
+    let lines = told(pen.state, scene, found, area.width);
+    let skip = pen.state.chosen.line.min(lines.len().saturating_sub(area.height.into()));
     let rows = Constraint::Length(short(lines.len()) + 1);
     let [table, below] = Layout::vertical([rows, Constraint::Min(0)]).areas(area);
-    page::draw(state, &lines[skip..], &|_| Role::Plain, table, buffer);
+    page::draw(pen, &lines[skip..], &|_| Role::Plain, table);
     if below.height >= ITERATION {
-        paint(
-            state,
-            &Figure { columns: 2, ..figure(scene, &state.pictured(), ViewPart::Iteration, usize::MAX) },
+        pen.paint(
+            &Figure { columns: 2, ..figure(scene, &pen.state.pictured(), ViewPart::Iteration, usize::MAX) },
             below,
-            buffer,
         );
     }
 }

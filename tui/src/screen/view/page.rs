@@ -3,10 +3,9 @@
 use assur_book::{Block, Document, Fact};
 use assur_report::text::{Line, LineKind, Style, lines};
 use assur_words::Text;
-use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use crate::screen::draw::{put, short};
+use crate::screen::draw::{Pen, short};
 use crate::screen::state::{Role, State};
 
 /// What a topic tells, in lines of a width. The view and its parts have names of their own, so headings and rules are left out.
@@ -26,13 +25,7 @@ pub(super) fn some_facts(state: &State, width: u16, facts: Vec<Fact>, ids: &[&st
 }
 
 /// Draws lines from the first one that is shown; `of_row`: the role of the row of a table.
-pub(super) fn draw(
-    state: &State,
-    lines: &[Line],
-    of_row: &dyn Fn(usize) -> Role,
-    area: Rect,
-    buffer: &mut Buffer,
-) {
+pub(super) fn draw(pen: &mut Pen<'_>, lines: &[Line], of_row: &dyn Fn(usize) -> Role, area: Rect) {
     let mut before = None;
     for (row, line) in lines.iter().take(area.height.into()).enumerate() {
         let role = match line.kind {
@@ -41,9 +34,9 @@ pub(super) fn draw(
             LineKind::Row(number) => of_row(number),
             LineKind::Words | LineKind::Rule => Role::Plain,
         };
-        put(buffer, area, 1, short(row), &line.text, state.style(role));
+        pen.put(area, 1, short(row), &line.text, role);
         if role == Role::Cursor && before != Some(line.kind) {
-            put(buffer, area, 0, short(row), ">", state.style(role));
+            pen.put(area, 0, short(row), ">", role);
         }
         before = Some(line.kind);
     }
@@ -52,12 +45,11 @@ pub(super) fn draw(
 /// Draws a table of which a row is chosen: its head and the last `pinned` rows or paragraphs stay, and the chosen row is
 /// in sight.
 pub(super) fn draw_chosen(
-    state: &State,
+    pen: &mut Pen<'_>,
     lines: &[Line],
     (chosen, pinned): (usize, usize),
     of_row: &dyn Fn(usize) -> Role,
     area: Rect,
-    buffer: &mut Buffer,
 ) {
     let (head, rest) = parts(lines);
     let height = usize::from(area.height).saturating_sub(head.len());
@@ -71,16 +63,16 @@ pub(super) fn draw_chosen(
     let shown = head.iter().chain(rest.iter().skip(skip).take(height)).chain(pinned);
     let shown: Vec<Line> = shown.cloned().collect();
     let of_row = |row| if row == chosen { Role::Cursor } else { of_row(row) };
-    draw(state, &shown, &of_row, area, buffer);
+    draw(pen, &shown, &of_row, area);
 }
 
 /// Draws a table from one of its lines on, as far as that fills the area; its head stays.
-pub(super) fn draw_from(state: &State, lines: &[Line], from: usize, area: Rect, buffer: &mut Buffer) {
+pub(super) fn draw_from(pen: &mut Pen<'_>, lines: &[Line], from: usize, area: Rect) {
     let (head, rest) = parts(lines);
     let height = usize::from(area.height).saturating_sub(head.len());
     let skip = from.min(rest.len().saturating_sub(height));
     let shown: Vec<Line> = head.iter().chain(&rest[skip..]).cloned().collect();
-    draw(state, &shown, &|_| Role::Plain, area, buffer);
+    draw(pen, &shown, &|_| Role::Plain, area);
 }
 
 /// What stands above the rows of a table, and the rows.

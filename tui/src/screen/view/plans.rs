@@ -5,46 +5,47 @@ use assur_diagram::{PlanVector, VectorPlan};
 use assur_force::Construction;
 use assur_picture::plans::{self, Shown, labelled, shown};
 use assur_words::{Describe, Text, joined, name, number, quantity, text, unit};
-use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
 use super::{advice, page};
 use crate::number::digits;
-use crate::screen::draw::{paint, put_lines, wrapped};
-use crate::screen::state::{Role, Scene, State, View, ViewPart};
+use crate::screen::draw::{Pen, wrapped};
+use crate::screen::state::{Role, Scene, View, ViewPart};
 
 /// Columns of the list beside the drawing.
 const LIST: u16 = 42;
 
-pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer) {
+pub(super) fn draw(pen: &mut Pen<'_>, scene: &Scene, area: Rect) {
+    let state = pen.state;
     let Some(found) = &scene.found else { return };
     let [list, drawing] = Layout::horizontal([Constraint::Length(LIST), Constraint::Min(0)]).areas(area);
     let plans = found.plans.at(state.position);
     let look = state.pictured();
     match shown(found, &look, state.part(View::Plans), &plans) {
-        Shown::Plan(plan) => list_of_plan(state, plan, list, buffer),
-        Shown::Construction(construction, last) => list_of_steps(state, construction, last, list, buffer),
+        Shown::Plan(plan) => list_of_plan(pen, plan, list),
+        Shown::Construction(construction, last) => list_of_steps(pen, construction, last, list),
         Shown::Nothing(_) => {
             let text = advice::text(state, scene, View::Plans);
             let rows = advice::rows(&state.told(text), usize::from(list.width.max(12)) - 2).into_iter();
             let rows: Vec<_> = rows.map(|line| (Role::Plain, line)).collect();
-            return lines_of(state, &rows, list, buffer);
+            return lines_of(pen, &rows, list);
         }
     }
     let mut figure = plans::figure(scene, &look, state.part(View::Plans));
     // Beside each other where that gives larger drawings than one below the other.
     let wide = f64::from(drawing.width) > state.look.ratio * f64::from(drawing.height);
     figure.columns = if wide { figure.panels.len() } else { 1 };
-    paint(state, &figure, drawing, buffer);
+    pen.paint(&figure, drawing);
 }
 
-fn lines_of(state: &State, lines: &[(Role, String)], area: Rect, buffer: &mut Buffer) {
+fn lines_of(pen: &mut Pen<'_>, lines: &[(Role, String)], area: Rect) {
     let cut = Rect { width: area.width.saturating_sub(1), ..area };
-    put_lines(buffer, cut, 1, state, lines);
+    pen.put_lines(cut, 1, lines);
 }
 
 /// The vectors of a plan, and its closure error.
-fn list_of_plan(state: &State, plan: &VectorPlan, list: Rect, buffer: &mut Buffer) {
+fn list_of_plan(pen: &mut Pen<'_>, plan: &VectorPlan, list: Rect) {
+    let state = pen.state;
     let part = state.part(View::Plans);
     let heads = [Text::default(), text!("head-vector"), text!("head-size"), text!("head-unit")];
     let row = |(label, item): (String, &PlanVector)| {
@@ -62,14 +63,15 @@ fn list_of_plan(state: &State, plan: &VectorPlan, list: Rect, buffer: &mut Buffe
     // The closure error stands below; a long list must not push it out.
     let [above, below] = Layout::vertical([Constraint::Min(0), Constraint::Length(1)]).areas(list);
     let chosen = if part == ViewPart::Forces { 0 } else { state.chosen.vector };
-    page::draw_from(state, &lines, chosen, above, buffer);
+    page::draw_from(pen, &lines, chosen, above);
     let open = number(format_args!("{:.1e}", plan.residual));
     let open = (Role::Header, state.told(text!("plans-open", open = open)));
-    lines_of(state, &[open], below, buffer);
+    lines_of(pen, &[open], below);
 }
 
 /// The chosen step of a construction, with the sentence that explains it.
-fn list_of_steps(state: &State, construction: &Construction, last: usize, list: Rect, buffer: &mut Buffer) {
+fn list_of_steps(pen: &mut Pen<'_>, construction: &Construction, last: usize, list: Rect) {
+    let state = pen.state;
     let width = usize::from(list.width.max(12)) - 2;
     let mut rows: Vec<(Role, String)> = wrapped(&state.told(construction.title.clone()), width)
         .into_iter()
@@ -84,5 +86,5 @@ fn list_of_steps(state: &State, construction: &Construction, last: usize, list: 
     let kind = joined("", [name("("), step.kind.describe(), name(")")]);
     rows.push((Role::Key, state.told(joined(" ", [step.name.clone(), kind, size]))));
     rows.extend(wrapped(&state.told(step.note.clone()), width).into_iter().map(|line| (Role::Plain, line)));
-    lines_of(state, &rows, list, buffer);
+    lines_of(pen, &rows, list);
 }

@@ -3,37 +3,38 @@
 use assur_note::working;
 use assur_report::text::{Style, told_within};
 use assur_words::{Describe, name, text};
-use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::{drive, motion};
-use crate::screen::draw::{folded, put, short};
+use crate::screen::draw::{Pen, folded, short};
 use crate::screen::state::{Role, State, View};
 
-pub(super) fn draw(state: &State, view: View, area: Rect, buffer: &mut Buffer) {
+pub(super) fn draw(pen: &mut Pen<'_>, view: View, area: Rect) {
+    let state = pen.state;
     let top = u16::from(view == View::Accuracy && state.measuring().is_some());
     if view == View::Accuracy {
-        progress(state, area, buffer);
+        progress(pen, area);
     }
     let height = usize::from(area.height.saturating_sub(top));
     let lines = lines(state, view, area.width);
     let first = if view == View::Working { state.chosen.equation } else { state.chosen.line };
     let skip = first.min(lines.len().saturating_sub(height));
     for (row, line) in lines.iter().skip(skip).take(height).enumerate() {
-        put(buffer, area, 1, short(row) + top, line, state.style(Role::Plain));
+        pen.put(area, 1, short(row) + top, line, Role::Plain);
     }
 }
 
 /// How far the measurement is, or what starts it.
-fn progress(state: &State, area: Rect, buffer: &mut Buffer) {
+fn progress(pen: &mut Pen<'_>, area: Rect) {
+    let state = pen.state;
     if let Some(running) = state.measuring() {
         let measuring = text!("accuracy-measuring");
         let count = if running.count.is_empty() { &measuring } else { &running.count };
         let text = text!("accuracy-stops", count = count, key = name(state.keys.first("close")));
-        put(buffer, area, 1, 0, &state.told(text), state.style(Role::Header));
+        pen.tell(area, 1, 0, text, Role::Header);
     } else if state.measured.is_none() {
         let text = text!("accuracy-starts", key = name(state.keys.first("measure")));
-        put(buffer, area, 1, 1, &state.told(text), state.style(Role::Plain));
+        pen.tell(area, 1, 1, text, Role::Plain);
     }
 }
 

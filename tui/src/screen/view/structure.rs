@@ -3,11 +3,10 @@
 use assur_picture::mechanism::structure;
 use assur_report::topic;
 use assur_words::{self as words, Text, list, name, number, text};
-use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
 use crate::number::{digits, plain};
-use crate::screen::draw::{cut, paint_zoomed, put, short, wrapped};
+use crate::screen::draw::{Pen, cut, short, wrapped};
 use crate::screen::state::{Role, Scene, State};
 
 /// Indent of the text on a group, in columns.
@@ -17,7 +16,8 @@ const DRAWING: u16 = 24;
 /// Digits of the least determinant.
 const LEAST: usize = 3;
 
-pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer) {
+pub(super) fn draw(pen: &mut Pen<'_>, scene: &Scene, area: Rect) {
+    let state = pen.state;
     let [top, rest] = Layout::vertical([Constraint::Length(4), Constraint::Min(0)]).areas(area);
     let text = lines(state, scene, rest.width.saturating_sub(2)).len();
     // In a high area the drawing has the whole width below the text.
@@ -28,7 +28,7 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
     };
     let groups = &scene.linkage.structure;
     let head = |text: &str| cut(text, usize::from(top.width.saturating_sub(2)));
-    put(buffer, top, 1, 0, &head(&state.told(&groups.formula)), state.style(Role::Header));
+    pen.put(top, 1, 0, &head(&state.told(&groups.formula)), Role::Header);
     let w = &groups.mobility;
     let mobility = text!(
         "structure-mobility",
@@ -37,7 +37,7 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
         mobility = number(w.value),
         class = name(assur_structure::roman(groups.class())),
     );
-    put(buffer, top, 1, 1, &state.told(mobility), state.style(Role::Plain));
+    pen.tell(top, 1, 1, mobility, Role::Plain);
     if let Some((group, health, at)) = scene.nearest_group() {
         let nearest = text!(
             "structure-nearest",
@@ -45,18 +45,18 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
             position = number(at),
             group = groups.group_name(&scene.linkage.mechanism, group),
         );
-        put(buffer, top, 1, 2, &head(&state.told(nearest)), state.style(Role::Plain));
+        pen.put(top, 1, 2, &head(&state.told(nearest)), Role::Plain);
     }
     let lines = lines(state, scene, tree.width.saturating_sub(2));
     let first = lines.iter().position(|line| line.0).unwrap_or(0);
     let height = usize::from(tree.height);
     let skip = (first + 10).saturating_sub(height).min(lines.len().saturating_sub(height));
     for (row, (chosen, text)) in lines.iter().skip(skip).take(height).enumerate() {
-        let style = state.style(if *chosen { Role::Cursor } else { Role::Plain });
+        let role = if *chosen { Role::Cursor } else { Role::Plain };
         let wide = Rect { width: tree.width.saturating_sub(1), ..tree };
-        put(buffer, wide, 1, short(row), text, style);
+        pen.put(wide, 1, short(row), text, role);
     }
-    paint_zoomed(state, &structure(scene, &state.pictured()), state.zoom, drawing, buffer);
+    pen.paint_zoomed(&structure(scene, &state.pictured()), state.zoom, drawing);
 }
 
 /// The tree; the heading of the chosen group is flagged, and only that group is expanded.

@@ -3,25 +3,25 @@
 use assur_words::{self as words, Text, name, text, unit};
 use std::fmt::Write;
 
-use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use unicode_width::UnicodeWidthStr;
 
 use crate::number::{digits, number};
-use crate::screen::draw::{cut, put, short};
+use crate::screen::draw::{Pen, cut, short};
 use crate::screen::state::{Role, Scene, Series, State};
 
 const FIRST: u16 = 6;
 /// Least width of another one: a number with an exponent.
 const COLUMN: u16 = 12;
 
-pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer) {
+pub(super) fn draw(pen: &mut Pen<'_>, scene: &Scene, area: Rect) {
+    let state = pen.state;
     if area.height < 4 {
         return;
     }
     let order = state.order();
     let columns = visible_columns(state, scene, area.width.saturating_sub(FIRST + 2));
-    put(buffer, area, 1, 0, &state.told(text!("table-number")), state.style(Role::Header));
+    pen.tell(area, 1, 0, text!("table-number"), Role::Header);
     let mut left = FIRST;
     for &(column, width) in &columns {
         let Some(series) = scene.column(column) else { continue };
@@ -29,7 +29,7 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
         let texts = [(0, series.head.clone(), role), (1, unit(series.unit.clone()), Role::Dim)];
         for (row, text, role) in texts {
             let text = state.told(text);
-            put(buffer, area, left, row, &format!("{text:>0$}", usize::from(width) - 1), state.style(role));
+            pen.put(area, left, row, &format!("{text:>0$}", usize::from(width) - 1), role);
         }
         left += width;
     }
@@ -38,23 +38,17 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
     let skip = row.saturating_sub(height / 2).min(order.len().saturating_sub(height));
     for (line, &position) in order.iter().skip(skip).take(height).enumerate() {
         let place = Rect { y: area.y + 2 + short(line), height: 1, ..area };
-        draw_row(state, scene, position, &columns, place, buffer);
+        draw_row(pen, scene, position, &columns, place);
     }
     let below = Rect { y: area.bottom() - 1, height: 1, ..area };
-    status(state, scene, &columns, below, buffer);
-    scroll_bar(area, skip, height, order.len(), buffer);
+    status(pen, scene, &columns, below);
+    scroll_bar(pen, area, skip, height, order.len());
 }
 
-fn draw_row(
-    state: &State,
-    scene: &Scene,
-    position: usize,
-    columns: &[(usize, u16)],
-    area: Rect,
-    buffer: &mut Buffer,
-) {
+fn draw_row(pen: &mut Pen<'_>, scene: &Scene, position: usize, columns: &[(usize, u16)], area: Rect) {
+    let state = pen.state;
     let here = position == state.position;
-    let style = state.style(if here { Role::Cursor } else { Role::Plain });
+    let role = if here { Role::Cursor } else { Role::Plain };
     let mut text = format!("{}{position:>4} ", if here { '>' } else { ' ' });
     for &(column, width) in columns {
         let value = scene.column(column).map_or_else(String::new, |series| {
@@ -63,7 +57,7 @@ fn draw_row(
         });
         let _ = write!(text, "{value:>0$} ", usize::from(width) - 1);
     }
-    put(buffer, Rect { width: area.width.saturating_sub(1), ..area }, 0, 0, &text, style);
+    pen.put(Rect { width: area.width.saturating_sub(1), ..area }, 0, 0, &text, role);
 }
 
 /// A number in its cell: with fewer digits where it would be wider.
@@ -113,7 +107,8 @@ fn visible_columns(state: &State, scene: &Scene, room: u16) -> Vec<(usize, u16)>
     }
 }
 
-fn status(state: &State, scene: &Scene, columns: &[(usize, u16)], area: Rect, buffer: &mut Buffer) {
+fn status(pen: &mut Pen<'_>, scene: &Scene, columns: &[(usize, u16)], area: Rect) {
+    let state = pen.state;
     let of = scene.column(state.chosen.column).map_or_else(String::new, |series| state.told(&series.of));
     let (first, last) = (columns.first().map_or(0, |c| c.0 + 1), columns.last().map_or(0, |c| c.0 + 1));
     let mut text = format!("{of}   {first}-{last} / {}", scene.column_count());
@@ -126,16 +121,16 @@ fn status(state: &State, scene: &Scene, columns: &[(usize, u16)], area: Rect, bu
         let _ = write!(text, "   {}", state.told(text!("table-differences", scene = &compared.name)));
     }
     let text = cut(&text, usize::from(area.width.saturating_sub(2)));
-    put(buffer, area, 1, 0, &text, state.style(Role::Dim));
+    pen.put(area, 1, 0, &text, Role::Dim);
 }
 
-fn scroll_bar(area: Rect, skip: usize, shown: usize, count: usize, buffer: &mut Buffer) {
+fn scroll_bar(pen: &mut Pen<'_>, area: Rect, skip: usize, shown: usize, count: usize) {
     if count <= shown || shown == 0 || area.width == 0 {
         return;
     }
     let (from, to) = (skip * shown / count, ((skip + shown) * shown).div_ceil(count));
     for row in 0..shown {
         let sign = if (from..to).contains(&row) { "█" } else { "│" };
-        put(buffer, area, area.width - 1, short(row) + 2, sign, ratatui::style::Style::new());
+        pen.put(area, area.width - 1, short(row) + 2, sign, Role::Plain);
     }
 }

@@ -3,13 +3,12 @@
 
 use assur_analysis::results::{Column, Quantity};
 use assur_words::{Text, list, number, text, unit};
-use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 use ratatui::widgets::{Block, Borders, Widget};
 use unicode_width::UnicodeWidthStr;
 
 use crate::number::{digits, plain};
-use crate::screen::draw::{cut, put, put_lines, short};
+use crate::screen::draw::{Pen, cut, short};
 use crate::screen::state::{Role, Series, State};
 use assur_picture::Results;
 
@@ -27,24 +26,24 @@ pub(crate) fn height(body: Rect) -> u16 {
     (body.height / 3).clamp(HEIGHT[0], HEIGHT[1]).min(body.height)
 }
 
-pub(crate) fn draw(state: &State, area: Rect, buffer: &mut Buffer) {
-    let beside = if results(state).is_empty() { 0 } else { RESULTS.min(area.width / 2) };
+pub(crate) fn draw(pen: &mut Pen<'_>, area: Rect) {
+    let beside = if results(pen.state).is_empty() { 0 } else { RESULTS.min(area.width / 2) };
     let [list, beside] = Layout::horizontal([Constraint::Min(0), Constraint::Length(beside)]).areas(area);
-    draw_list(state, list, buffer);
-    draw_results(state, beside, buffer);
+    draw_list(pen, list);
+    draw_results(pen, beside);
 }
 
-fn draw_list(state: &State, area: Rect, buffer: &mut Buffer) {
-    let what = &state.what_if;
+fn draw_list(pen: &mut Pen<'_>, area: Rect) {
+    let what = &pen.state.what_if;
     let place = format!(" {} / {} ", (what.chosen + 1).min(what.values.len()), what.values.len());
     let step = number(plain(what.per_cent()));
-    let title = state.told(text!("values-title", step = step, changed = number(what.changes())));
+    let title = pen.state.told(text!("values-title", step = step, changed = number(what.changes())));
     let title = format!(" {title} ");
     let block = Block::new().borders(Borders::TOP).title(title).title_bottom("");
     let inner = block.inner(area);
-    block.render(area, buffer);
+    block.render(area, pen.buffer);
     let column = area.width.saturating_sub(short(place.width()) + 1);
-    put(buffer, area, column, 0, &place, state.style(Role::Plain));
+    pen.put(area, column, 0, &place, Role::Plain);
     let widest = what.values.iter().map(|value| value.key.to_string().width()).max().unwrap_or(0);
     let widest = widest.min(KEYS).min(usize::from(area.width).saturating_sub(VALUE));
     let rows = usize::from(inner.height);
@@ -62,7 +61,7 @@ fn draw_list(state: &State, area: Rect, buffer: &mut Buffer) {
         };
         let text = format!("{sign}{mark} {key:<widest$}  {shown}");
         let role = if chosen { Role::Cursor } else { Role::Plain };
-        put(buffer, inner, 0, short(row), &text, state.style(role));
+        pen.put(inner, 0, short(row), &text, role);
     }
 }
 
@@ -130,16 +129,16 @@ fn results(state: &State) -> Vec<String> {
     results_of(state, scene).into_iter().filter_map(row).collect()
 }
 
-fn draw_results(state: &State, area: Rect, buffer: &mut Buffer) {
+fn draw_results(pen: &mut Pen<'_>, area: Rect) {
     if area.width == 0 {
         return;
     }
     let block = Block::new()
         .borders(Borders::TOP | Borders::LEFT)
-        .title(format!(" {} ", state.told(text!("values-results"))));
+        .title(format!(" {} ", pen.state.told(text!("values-results"))));
     let inner = block.inner(area);
-    block.render(area, buffer);
-    let lines: Vec<_> = results(state).into_iter().map(|row| (Role::Plain, row)).collect();
+    block.render(area, pen.buffer);
+    let lines: Vec<_> = results(pen.state).into_iter().map(|row| (Role::Plain, row)).collect();
     let rows = usize::from(inner.height);
-    put_lines(buffer, inner, 0, state, lines.iter().take(rows));
+    pen.put_lines(inner, 0, lines.iter().take(rows));
 }
