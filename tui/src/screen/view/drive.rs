@@ -6,7 +6,7 @@ use assur_picture::drive::figure;
 use assur_picture::in_a_line;
 use assur_report::text::Line;
 use assur_report::topic::{self, Source};
-use assur_words::{Describe, Text, name, text};
+use assur_words::{Text, name, text};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 use unicode_width::UnicodeWidthStr;
@@ -87,7 +87,7 @@ fn warned(state: &State, dynamics: &Dynamics, area: Rect, buffer: &mut Buffer) -
     let [line, rest] = Layout::vertical([Constraint::Length(1), Constraint::Min(0)]).areas(area);
     let more = state.told(text!("drive-warning-more", key = name(state.keys.first("part"))));
     let room = usize::from(area.width.saturating_sub(6)).saturating_sub(more.width());
-    let first = state.told(first.describe());
+    let first = state.told(&first.text);
     put(buffer, line, 1, 0, &format!("! {}  {more}", cut(&first, room)), state.look.theme.style(Role::Bad));
     rest
 }
