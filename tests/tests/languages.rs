@@ -10,8 +10,8 @@ use assur_group::{BuildError, GroupError, RegistryError};
 use assur_integrator::{Dependence, FixedStep, IntegrationError, MotionError, Request, State, Until};
 use assur_kinematics::{CompileError, PositionError};
 use assur_motor::{
-    Characteristic, CharacteristicKind, MotorWarning, RatedMotor, SelectionRequest, find_designation,
-    parse_table, select,
+    Characteristic, CharacteristicKind, RatedMotor, SelectionRequest, check_breakdown, check_rms,
+    check_rotor_inertia, check_starting, find_designation, parse_table, select,
 };
 use assur_words::{Describe, LANGUAGES, Language, Text, name, text};
 
@@ -156,8 +156,8 @@ fn errors_of_an_integrator() {
     for (why, until) in
         why.into_iter().zip([Until::Time(1.0), Until::Coordinate(2.0), Until::Turn, Until::Rest])
     {
-        let until = request(until, None);
-        all.push(IntegrationError::not_reached(&until, at, Text::message(why, Vec::new())).describe());
+        let why = Text::message(why, Vec::new());
+        all.push(IntegrationError::NotReached { goal: until, at, why }.describe());
     }
     hold(&all, &[]);
 }
@@ -261,13 +261,14 @@ fn errors_and_warnings_of_motors() {
     all.extend(data.iter().map(refused));
     let identities: BTreeSet<_> = all.iter().map(Text::identity).collect();
     assert_eq!(identities.len(), 12, "{identities:?}");
+    let kloss = Characteristic::new(CharacteristicKind::Kloss, &good).unwrap();
     let warnings = [
-        MotorWarning::BeyondBreakdown { speed: 1.0, torque: 2.0, breakdown_torque: 3.0 },
-        MotorWarning::StartingTorque { available: 1.0, required: 2.0 },
-        MotorWarning::RmsTorque { rms: 2.0, rated: 1.0 },
-        MotorWarning::RotorInertiaUnknown { designation: name("4A100") },
+        check_breakdown(&kloss, [0.0]),
+        check_starting(&kloss, None, 1e3),
+        check_rms(&kloss, 1e3),
+        check_rotor_inertia(None, name("4A100")),
     ];
-    all.extend(warnings.iter().map(Describe::describe));
+    all.extend(warnings.into_iter().flatten().map(|warning| warning.text));
     hold(&all, &[]);
 }
 

@@ -1,7 +1,5 @@
 //! What acts on a machine at an instant of its motion, reduced to the input, and its works.
 
-use std::ops::AddAssign;
-
 use assur_force::{Cause, LoadState, Loads};
 use assur_group::Body;
 use assur_mechanism::Mechanism;
@@ -19,14 +17,12 @@ pub(crate) struct Acting {
     friction: f64,
 }
 
-/// Works of the driving and of the resisting moments, and of each moment, J; or the moments or powers of which they are.
-#[derive(Debug, Clone, Default)]
-pub(crate) struct Works {
-    /// The work of the driving and of the resisting moments, and of the dry friction of all pairs, which is neither.
-    pub(crate) sums: [f64; 3],
-    /// The works of the moments in the order of [`Acting::each`].
-    pub(crate) each: Vec<f64>,
-}
+/// Works, J, or the moments or powers of which they are: of all that drives and of all that resists; of the dry friction of all pairs,
+/// which is neither; then of each moment in the order of [`Acting::each`].
+pub(crate) type Works = Vec<f64>;
+
+/// How many sums stand before the works of each moment.
+pub(crate) const SUMS: usize = 3;
 
 impl Acting {
     /// Index of the drive in [`Acting::each`].
@@ -61,62 +57,40 @@ impl Acting {
     /// The moments, and the sums of those that drive a motion in a direction of the coordinate and of those that resist it.
     pub(crate) fn moments(&self, direction: f64) -> Works {
         let sum = |sense: f64| self.each.iter().filter(|moment| **moment * sense > 0.0).sum();
-        Works { sums: [sum(direction), sum(-direction), self.friction], each: self.each.clone() }
+        let sums = [sum(direction), sum(-direction), self.friction];
+        sums.into_iter().chain(self.each.iter().copied()).collect()
     }
 
     /// The powers of what acts.
     fn powers(&self) -> Works {
-        self.moments(if self.speed < 0.0 { -1.0 } else { 1.0 }).scaled(self.speed)
+        let moments = self.moments(if self.speed < 0.0 { -1.0 } else { 1.0 });
+        moments.into_iter().map(|moment| self.speed * moment).collect()
     }
 }
 
-impl Works {
-    /// Zero for so many moments.
-    pub(crate) fn none(count: usize) -> Self {
-        Self { each: vec![0.0; count], ..Self::default() }
-    }
-
-    fn scaled(self, factor: f64) -> Self {
-        let scaled = |work| factor * work;
-        Self { sums: self.sums.map(scaled), each: self.each.into_iter().map(scaled).collect() }
-    }
-
-    /// A number made of the values of each of them in a row of instants.
-    pub(crate) fn over(rows: &[Self], made: impl Fn(&[f64]) -> f64) -> Self {
-        let of = |part: &dyn Fn(&Self) -> f64| made(&rows.iter().map(part).collect::<Vec<_>>());
-        let count = rows.first().map_or(0, |first| first.each.len());
-        Self {
-            sums: [0, 1, 2].map(|sum| of(&|row| row.sums[sum])),
-            each: (0..count).map(|place| of(&|row| row.each[place])).collect(),
-        }
-    }
-
-    /// A work divided among them in the ratio of their sizes.
-    pub(crate) fn shares(&self, work: f64) -> Self {
-        // If neither sum varies, the correction is split evenly between them; friction, which varies whenever it acts, gets none.
-        let [driving, resisting, friction] = self.sums;
-        let both = driving + resisting + friction;
-        let all: f64 = self.each.iter().sum();
-        let part = |own: f64, sum: f64, count: usize| {
-            if sum > 0.0 { work * own / sum } else { work / count.max(1) as f64 }
-        };
-        let of_friction = if both > 0.0 { work * friction / both } else { 0.0 };
-        Self {
-            sums: [part(driving, both, 2), part(resisting, both, 2), of_friction],
-            each: self.each.iter().map(|own| part(*own, all, self.each.len())).collect(),
-        }
-    }
+/// A number made of the values of each work in a row of instants.
+pub(crate) fn over(rows: &[Works], made: impl Fn(&[f64]) -> f64) -> Works {
+    let count = rows.first().map_or(0, Vec::len);
+    (0..count).map(|place| made(&rows.iter().map(|row| row[place]).collect::<Vec<_>>())).collect()
 }
 
-impl AddAssign for Works {
-    fn add_assign(&mut self, other: Self) {
-        self.sums.iter_mut().zip(other.sums).for_each(|(sum, work)| *sum += work);
-        if self.each.is_empty() {
-            self.each = other.each;
-        } else {
-            self.each.iter_mut().zip(other.each).for_each(|(sum, work)| *sum += work);
-        }
-    }
+/// A work divided in the ratio of some works: among the sums, and among those of each moment.
+pub(crate) fn shares(works: &[f64], work: f64) -> Works {
+    let (sums, each) = works.split_at(SUMS);
+    let part = |own: f64, sum: f64, count: usize| {
+        if sum > 0.0 { work * own / sum } else { work / count.max(1) as f64 }
+    };
+    let (both, all): (f64, f64) = (sums.iter().sum(), each.iter().sum());
+    // If neither sum varies, the correction is split evenly between them; friction, which varies whenever it acts, gets none.
+    let of_friction = if both > 0.0 { work * sums[2] / both } else { 0.0 };
+    let of_sums = [part(sums[0], both, 2), part(sums[1], both, 2), of_friction];
+    of_sums.into_iter().chain(each.iter().map(|own| part(*own, all, each.len()))).collect()
+}
+
+/// Adds works to a sum, which is empty at first.
+pub(crate) fn add(sum: &mut Works, more: &[f64]) {
+    sum.resize(more.len(), 0.0);
+    sum.iter_mut().zip(more).for_each(|(sum, work)| *sum += work);
 }
 
 /// The works over equally spaced instants, and how much their rates change: by Simpson's rule over time, or by trapezoids over the
@@ -129,7 +103,7 @@ pub(crate) fn over_time(nodes: &[Acting], jumps: &[[Acting; 2]]) -> [Works; 2] {
         let mut inside = jumps.iter().filter(inside).peekable();
         if inside.peek().is_none() {
             let step = three[1].time - three[0].time;
-            works += Works::over(&powers[index..index + 3], |values| simpson(step, values));
+            add(&mut works, &over(&powers[index..index + 3], |values| simpson(step, values)));
             continue;
         }
         let mut from = &three[0];
@@ -137,11 +111,11 @@ pub(crate) fn over_time(nodes: &[Acting], jumps: &[[Acting; 2]]) -> [Works; 2] {
         for [before, after] in inside.chain([&end]) {
             let way = before.coordinate - from.coordinate;
             let both = [from, before].map(|acting| acting.moments(way));
-            works += Works::over(&both, |values| 0.5 * way * values.iter().sum::<f64>());
+            add(&mut works, &over(&both, |values| 0.5 * way * values.iter().sum::<f64>()));
             from = after;
         }
     }
-    [works, Works::over(&powers, change)]
+    [works, over(&powers, change)]
 }
 
 /// The sum of the sizes of all changes from value to value.

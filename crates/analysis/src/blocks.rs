@@ -8,8 +8,7 @@ use assur_words::{Describe, text};
 use rayon::prelude::*;
 
 use crate::families::Columns;
-use crate::filler::instant;
-use crate::filler::{Filler, Obstacle};
+use crate::filler::{Filler, Obstacle, instant};
 use crate::friction::jammed;
 use crate::progress::{Stopped, Watch, step};
 use crate::results::{Failure, Table};

@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use assur_dynamics::{Driven, Instant, Machine, Steady, Transient, equation, request};
+use assur_dynamics::{Instant, Machine, Steady, Transient, equation, request};
 use assur_force::{Kinetostatics, LoadState, Loads, Side, tolerance};
 use assur_group::plane::dot;
 use assur_group::{Body, Order};
@@ -12,7 +12,7 @@ use assur_kinematics::Position;
 use assur_mechanism::{GROUND, LinkId, Mechanism};
 use assur_number::quadrature::simpson;
 
-use crate::acting::{Acting, Works, change, over_time};
+use crate::acting::{Acting, SUMS, Works, add, change, over, over_time, shares};
 use crate::motion::CYCLE_INTERVALS;
 use crate::results::{Column, Owner, Quantity, Schema, Table};
 use crate::{Calculation, InputMotion};
@@ -54,7 +54,7 @@ impl Calculation {
         let has_friction = !mechanism.frictions.is_empty();
         let all = all.into_iter().chain(has_friction.then_some(Quantity::FrictionWork));
         schema.add(section, all.map(|quantity| Column::of(quantity, Owner::Input)));
-        let by_load = by_load(mechanism, schema.loads());
+        let by_load = by_load(mechanism, schema.loads.len());
         schema.add(section, by_load.iter().map(|(owner, _)| Column::of(Quantity::Work, *owner)));
         let links = mechanism.heavy_links().map(Owner::Link);
         schema.add(section, links.map(|link| Column::of(Quantity::KineticEnergy, link)));
@@ -63,9 +63,9 @@ impl Calculation {
         let samples =
             course.works().into_iter().zip(&course.kinetic).zip(course.acting.iter().zip(&course.links));
         for (number, ((works, kinetic), (acting, links))) in samples.enumerate() {
-            let [driving, resisting, friction] = works.sums;
+            let [driving, resisting, friction] = [works[0], works[1], works[2]];
             let moments = by_load.iter().map(|(_, place)| acting.each[*place]);
-            let works = by_load.iter().map(|(_, place)| works.each[*place]);
+            let works = by_load.iter().map(|(_, place)| works[SUMS + *place]);
             let row: Vec<f64> = [driving, resisting, *kinetic]
                 .into_iter()
                 .chain(has_friction.then_some(friction))
@@ -86,7 +86,7 @@ impl Calculation {
         found: &Transient,
         samples: usize,
         accelerations: bool,
-    ) -> Option<(Driven<'a>, Trajectory)> {
+    ) -> Option<(Machine<'a>, Trajectory)> {
         let mut motion = equation(&self.linkage, loads).ok()?;
         let asked = request(&self.linkage.mechanism, &mut motion).ok()?;
         let until = if found.unrest.is_some() { Until::Turn } else { asked.until };
@@ -105,7 +105,7 @@ impl Calculation {
         let mut at = |sample: &Sample, is_before: bool| {
             let Instant { state, friction, .. } = motion.instant(sample, is_before).ok()?;
             let torque = motion.drive.torque(&state);
-            let bodies = motion.machine.bodies(state.coordinate).ok()?;
+            let bodies = motion.bodies(state.coordinate).ok()?;
             let links = energies_of_links(mechanism, &state, bodies);
             Some((Acting::of(loads, mechanism, &state, bodies, [torque, friction]), links))
         };
@@ -199,7 +199,8 @@ impl Calculation {
             Some(acting.moments(sense))
         };
         let mut machine = Machine::new(&self.linkage, loads);
-        let (mut works, mut changes, mut start) = (Works::default(), Works::default(), from);
+        let none = vec![0.0; SUMS + Acting::LOADS + self.linkage.mechanism.loads.len()];
+        let (mut works, mut changes, mut start) = (none.clone(), none, from);
         while (to - start) * sense > 0.0 {
             let LoadState { time, speed, .. } = self.state(start);
             let piece = machine.enter(&State { time, coordinate: start, speed }).ok()?;
@@ -217,8 +218,8 @@ impl Calculation {
                 moments(start + step * (f64::from(i) + inward), side)
             });
             let nodes = nodes.collect::<Option<Vec<_>>>()?;
-            works += Works::over(&nodes, |values| simpson(step, values));
-            changes += Works::over(&nodes, change);
+            add(&mut works, &over(&nodes, |values| simpson(step, values)));
+            add(&mut changes, &over(&nodes, change));
             start = end;
         }
         Some([works, changes])
@@ -255,12 +256,12 @@ impl EnergyCourse {
     /// The works up to each sample, J. The defect of the quadrature (change of the kinetic energy minus the sum of the works) is
     /// distributed over the works in proportion to the variation of their integrands.
     fn works(&self) -> Vec<Works> {
-        let mut sum = Works::none(self.acting.first().map_or(0, |acting| acting.each.len()));
+        let mut sum = vec![0.0; SUMS + self.acting.first().map_or(0, |acting| acting.each.len())];
         let mut all = vec![sum.clone()];
         for (kinetic, [works, changes]) in self.kinetic.windows(2).zip(&self.intervals) {
-            let missed = works.sums.iter().fold(kinetic[1] - kinetic[0], |left, work| left - work);
-            sum += works.clone();
-            sum += changes.shares(missed);
+            let missed = works[..SUMS].iter().fold(kinetic[1] - kinetic[0], |left, work| left - work);
+            add(&mut sum, works);
+            add(&mut sum, &shares(changes, missed));
             all.push(sum.clone());
         }
         all

@@ -62,17 +62,17 @@ pub struct PossibleInput {
 impl StructureStudy {
     /// The structure of a compiled mechanism.
     pub fn of(linkage: &Linkage) -> Self {
-        let structure = Some(report(linkage, true));
-        let title = linkage.mechanism.title.clone();
-        let angular = linkage.angular();
-        Self { format: 1, title, structure, why: None, inputs: Vec::new(), angular, modes: Vec::new() }
+        Self::new(&linkage.mechanism, Some(report(linkage, true)), None)
     }
 
     /// The structure of a mechanism whose input leaves links loose or locked.
     pub fn without(mechanism: &Mechanism, error: &StructureError) -> Self {
-        let why = Some(error.describe());
+        Self::new(mechanism, None, Some(error.describe()))
+    }
+
+    fn new(mechanism: &Mechanism, structure: Option<StructureReport>, why: Option<Text>) -> Self {
         let (title, angular) = (mechanism.title.clone(), mechanism.input.is_angle());
-        Self { format: 1, title, structure: None, why, inputs: Vec::new(), angular, modes: Vec::new() }
+        Self { format: 1, title, structure, why, inputs: Vec::new(), angular, modes: Vec::new() }
     }
 
     /// Adds every possible input.
@@ -92,11 +92,6 @@ impl StructureStudy {
             posed.assembly = places.filter_map(|(id, point)| Some((id, place(point)?))).collect();
         }
         self.inputs = inputs(mechanism, &posed, position.as_ref());
-    }
-
-    /// Adds the modes of every group over the cycle.
-    pub fn add_modes(&mut self, linkage: &Linkage) {
-        self.modes = crate::modes::of(linkage);
     }
 
     /// The possible inputs that would make the groups simpler.

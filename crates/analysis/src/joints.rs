@@ -19,7 +19,7 @@ pub(crate) struct Joints {
 /// A pin or slide.
 #[derive(Debug)]
 pub(crate) struct Shown {
-    joint: Joint,
+    pub(crate) joint: Joint,
     /// Of a slide: the link of its guide, and the direction of the guide in the frame of that link.
     guide: Option<(LinkId, [Lanes; 2])>,
 }
@@ -61,7 +61,7 @@ impl Joints {
     pub(crate) fn greatest(&self, reactions: &Reactions<Lanes>) -> [f64; Lanes::WIDTH] {
         let mut greatest = [0.0_f64; Lanes::WIDTH];
         for shown in &self.all {
-            for [x, y] in (0..shown.joint.links.len()).map(|nth| shown.force(nth, reactions)) {
+            for [x, y] in (0..shown.joint.links.len()).map(|nth| shown.joint.force(nth, &reactions.pairs)) {
                 for (lane, greatest) in greatest.iter_mut().enumerate() {
                     *greatest = greatest.max(elementary::hypot(x.0[lane], y.0[lane]));
                 }
@@ -72,26 +72,9 @@ impl Joints {
 }
 
 impl Shown {
-    /// The force on one of its links, N.
-    #[inline]
-    pub(crate) fn force(&self, nth: usize, reactions: &Reactions<Lanes>) -> [Lanes; 2] {
-        self.joint.force(nth, &reactions.pairs)
-    }
-
-    /// Of a slide: moment on the sliding link about its point, N m.
-    #[inline]
-    pub(crate) fn moment(&self, reactions: &Reactions<Lanes>) -> Option<Lanes> {
-        self.joint.moment(&reactions.pairs)
-    }
-
     /// Of a slide: force on the sliding link across its guide, N.
     pub(crate) fn normal(&self, reactions: &Reactions<Lanes>, position: &LanePosition) -> Option<Lanes> {
         let (on, along) = self.guide?;
-        Some(dot(perp(position.bodies[on].turned(along)), self.force(0, reactions)))
-    }
-
-    /// By link, then for the moment of a slide: 1 where it is not determined; empty where all are.
-    pub(crate) fn open<'a>(&self, reactions: &'a Reactions<Lanes>) -> &'a [Lanes] {
-        self.joint.open(&reactions.open)
+        Some(dot(perp(position.bodies[on].turned(along)), self.joint.force(0, &reactions.pairs)))
     }
 }

@@ -40,7 +40,7 @@ pub use calculation::{Calculation, DEFAULT_INTEGRATOR, Methods, Options, Varied,
 pub use edges::DRAWN;
 pub use error::AnalysisError;
 pub use inputs::{PossibleInput, StructureStudy};
-pub use modes::GroupModes;
+pub use modes::{GroupModes, modes};
 pub use motion::{InputMotion, method_of_motion};
 pub use positions::{MOST_FAILURES, lost_positions};
 pub use progress::{Progress, Stopped, Watch, unwatched};

@@ -25,7 +25,7 @@ pub struct GroupModes {
 }
 
 /// The modes of every group over the cycle.
-pub(crate) fn of(linkage: &Linkage) -> Vec<GroupModes> {
+pub fn modes(linkage: &Linkage) -> Vec<GroupModes> {
     let mut position = linkage.position();
     let is_placed = linkage.solve_index(0, Order::Place, &mut position).is_ok();
     let group = |index: usize| {

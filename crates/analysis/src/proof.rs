@@ -1,7 +1,7 @@
 //! Independent checks of motions: work against energy, and a cycle repeated by steps in time.
 
 use assur_check::{Check, Finding};
-use assur_dynamics::{Driven, Machine, Regime, Steady, Transient};
+use assur_dynamics::{Machine, Regime, Steady, Transient};
 use assur_integrator::{
     AUTO, EquationOfMotion, Event, EventKind, Piece, Request, Sample, Solution, State, Trajectory, Until,
     solve,
@@ -48,7 +48,7 @@ impl Calculation {
     pub(crate) fn cycle_check(&self, found: &Steady) -> Option<Check> {
         let (loads, regime) = (self.loads.as_ref()?, &found.regime);
         let input = &self.linkage.mechanism.input;
-        let mut motion = Driven::new(Machine::new(&self.linkage, loads), regime.drive());
+        let mut motion = Machine::new(&self.linkage, loads).with_drive(regime.drive());
         let start = State { time: 0.0, coordinate: input.from, speed: regime.state(input.from).speed };
         let end = input.from + input.sign() * input.period()?;
         let asked =

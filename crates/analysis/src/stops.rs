@@ -23,7 +23,7 @@ impl Calculation {
         let mut filler = Filler::new(self, &columns, true);
         let mechanism = &self.linkage.mechanism;
         let mut schema = Schema::new(mechanism);
-        let (section, by_load) = (schema.section(), by_load(mechanism, schema.loads()));
+        let (section, by_load) = (schema.section(), by_load(mechanism, schema.loads.len()));
         schema.add(section, by_load.iter().map(|(owner, _)| Column::of(Quantity::ReducedLoad, *owner)));
         let (mut stops, mut loads) = (filler.table(), Table::new(Arc::new(schema)));
         for (before, two) in found.instants.windows(2).enumerate() {
@@ -45,7 +45,7 @@ impl Calculation {
         let mut motion = equation(&self.linkage, loads).ok()?;
         let instant = motion.instant(&Sample { time, coordinate, speed, acceleration: 0.0 }, false).ok()?;
         let torque = motion.drive.torque(&instant.state);
-        let bodies = motion.machine.bodies(coordinate).ok()?;
+        let bodies = motion.bodies(coordinate).ok()?;
         let acting =
             Acting::of(loads, &self.linkage.mechanism, &instant.state, bodies, [torque, instant.friction]);
         Some((instant, acting))

@@ -7,8 +7,7 @@ use assur_number::Lanes;
 use assur_words::{Describe, Text};
 
 use crate::angles::Angles;
-use crate::filler::instant;
-use crate::filler::{Filler, Obstacle};
+use crate::filler::{Filler, Obstacle, instant};
 use crate::motion::CYCLE_INTERVALS;
 use crate::progress::{Stopped, Watch, step};
 use crate::results::Table;

@@ -48,7 +48,7 @@ impl Calculation {
         notes.extend(self.friction_of_contacts());
         if let InputMotion::Transient(found) = &self.motion {
             notes.extend(found.unrest.as_ref().map(|why| text!("analysis-unrest", why)));
-            notes.extend(unknown_rotor(&self.linkage.mechanism).map(|warning| warning.describe()));
+            notes.extend(unknown_rotor(&self.linkage.mechanism).map(|warning| warning.text));
         }
         if !self.linkage.structure.passive.is_empty()
             && self.analyzer.is_some_and(|method| method.gives_reactions)

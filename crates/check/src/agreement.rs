@@ -11,10 +11,6 @@ use crate::numbers::{SAFETY, SAMPLES, SPACING, rounding_of};
 /// Numbers of one result: the balancing load, then three for each pair.
 type Numbers = Vec<f64>;
 
-pub(crate) fn collector() -> Collector {
-    Collector::new(text!("check-agreement"), text!("check-agreement.reason"))
-}
-
 /// Compares the results of all methods with that of the method whose results all checks use.
 pub(crate) fn compare(case: &Case<'_>, collector: &mut Collector) {
     for (i, other) in case.answers.iter().enumerate().filter(|(i, _)| *i != case.full) {

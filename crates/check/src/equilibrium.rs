@@ -7,22 +7,12 @@ use assur_mechanism::{GROUND, InputPair, LinkId, PairId};
 use assur_words::{Text, text};
 
 use crate::case::{Case, largest};
-use crate::check::Collector;
-use crate::check::greatest;
+use crate::check::{Collector, greatest};
 use crate::kinetics::{ROUNDINGS, rounding_of_sum};
 use crate::subject::Solved;
 
-/// The checks of links, of joints and of guides.
-pub(crate) fn collectors() -> [Collector; 3] {
-    [
-        Collector::new(text!("check-equilibrium"), text!("check-equilibrium.reason")),
-        Collector::new(text!("check-joints"), text!("check-joints.reason")),
-        Collector::new(text!("check-slides"), text!("check-slides.reason")),
-    ]
-}
-
-/// Compares one state; returns the largest residual of the links of each group, in solving order.
-pub(crate) fn compare(case: &Case<'_>, [links, joints, guides]: &mut [Collector; 3]) -> Vec<f64> {
+/// Compares the links, the joints and the guides at one state; returns the largest residual of the links of each group, in solving order.
+pub(crate) fn compare(case: &Case<'_>, [links, joints, guides]: [&mut Collector; 3]) -> Vec<f64> {
     let (linkage, one) = (case.subject.linkage, case.one);
     let scale = linkage.structure.scale;
     let mut sums = Sums { linkage, one, all: vec![Sum::ZERO; linkage.structure.links] };

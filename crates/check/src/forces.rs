@@ -5,8 +5,7 @@ use assur_group::Wrench;
 use assur_words::{Text, text};
 
 use crate::case::Case;
-use crate::check::Collector;
-use crate::check::ForceResiduals;
+use crate::check::{Collector, ForceResiduals};
 use crate::kinetics::ROUNDINGS;
 use crate::subject::{Solved, Subject};
 use crate::written::{Given, Items, Writer, given};
@@ -15,17 +14,27 @@ use crate::{agreement, equilibrium, friction, power};
 /// Why a position is skipped where all methods fail.
 const NO_ANSWER: Text = text!("check-no-answer");
 
+/// The checks, each with what is compared and where its limit comes from.
+pub(crate) const CHECKS: [(Text, Text); 10] = [
+    (text!("check-loads"), text!("check-loads.reason")),
+    (text!("check-equilibrium"), text!("check-equilibrium.reason")),
+    (text!("check-joints"), text!("check-joints.reason")),
+    (text!("check-slides"), text!("check-slides.reason")),
+    (text!("check-agreement"), text!("check-agreement.reason")),
+    (text!("check-reduced"), text!("check-reduced.reason")),
+    (text!("check-lagrange"), text!("check-lagrange.reason")),
+    (text!("check-virtual-power"), text!("check-virtual-power.reason")),
+    (text!("check-drive"), text!("check-drive.reason")),
+    (text!("check-friction"), text!("check-friction.reason")),
+];
+
 /// The checks of forces in the states that were added.
 pub(crate) struct Forces<'a> {
     subject: &'a Subject<'a>,
     loads: &'a Loads,
     writer: &'a Writer<'a>,
     joints: Vec<Joint>,
-    written: Collector,
-    balance: [Collector; 3],
-    agreement: Collector,
-    powers: [Collector; 4],
-    friction: Collector,
+    collectors: [Collector; 10],
     residuals: Vec<ForceResiduals>,
 }
 
@@ -37,11 +46,7 @@ impl<'a> Forces<'a> {
             loads,
             writer,
             joints: joints(&subject.linkage.mechanism, &subject.linkage.structure),
-            written: Collector::new(text!("check-loads"), text!("check-loads.reason")),
-            balance: equilibrium::collectors(),
-            agreement: agreement::collector(),
-            powers: power::collectors(),
-            friction: friction::collector(),
+            collectors: CHECKS.map(|(name, reason)| Collector::new(name, reason)),
             residuals: Vec::new(),
         }
     }
@@ -59,39 +64,33 @@ impl<'a> Forces<'a> {
         if items.values().all(|item| item.size == 0.0) {
             return;
         }
-        compare_loads(subject, (items, &given), one, &mut self.written);
+        let [loaded, links, joints, guides, agreeing, reduced, lagrange, powers, drive, rubbing] =
+            &mut self.collectors;
+        compare_loads(subject, (items, &given), one, loaded);
         let methods = subject.methods.iter();
         let answers: Vec<_> =
             methods.map(|method| subject.answer(method, loads, state, &one.position, 1.0)).collect();
         let full = (0..answers.len()).find(|&i| subject.methods[i].gives_reactions && answers[i].is_some());
         let Some((full, reactions)) = full.and_then(|i| Some((i, answers[i].as_ref()?))) else {
-            let [links, joints, guides] = &mut self.balance;
             let guides = Some(guides).filter(|_| !subject.linkage.mechanism.slides.is_empty());
-            let [_, lagrange, powers, drive] = &mut self.powers;
             let drive = Some(drive).filter(|_| subject.drive.is_some());
-            let all =
-                [links, joints, &mut self.agreement, lagrange, powers].into_iter().chain(guides).chain(drive);
+            let all = [links, joints, agreeing, lagrange, powers].into_iter().chain(guides).chain(drive);
             all.for_each(|collector| collector.leave_out(index, NO_ANSWER));
             return;
         };
-        let joints = self.joints.iter().map(|joint| joint.reaction(&reactions.pairs)).collect();
-        let case = Case { subject, loads, one, state, items, answers: &answers, full, reactions, joints };
-        agreement::compare(&case, &mut self.agreement);
-        let groups = equilibrium::compare(&case, &mut self.balance);
-        friction::compare(&case, &mut self.friction);
-        let [dynamics, global] = power::compare(&case, &mut self.powers);
+        let found = self.joints.iter().map(|joint| joint.reaction(&reactions.pairs)).collect();
+        let answers = &answers;
+        let case = Case { subject, loads, one, state, items, answers, full, reactions, joints: found };
+        agreement::compare(&case, agreeing);
+        let groups = equilibrium::compare(&case, [links, joints, guides]);
+        friction::compare(&case, rubbing);
+        let [dynamics, global] = power::compare(&case, [reduced, lagrange, powers, drive]);
         self.residuals.push(ForceResiduals { number: index, groups, dynamics, global });
     }
 
     /// What was collected, and the residuals of each state.
-    pub(crate) fn finish(self) -> (impl Iterator<Item = Collector>, Vec<ForceResiduals>) {
-        let all = [self.written]
-            .into_iter()
-            .chain(self.balance)
-            .chain([self.agreement])
-            .chain(self.powers)
-            .chain([self.friction]);
-        (all, self.residuals)
+    pub(crate) fn finish(self) -> (Vec<Collector>, Vec<ForceResiduals>) {
+        (self.collectors.into(), self.residuals)
     }
 }
 

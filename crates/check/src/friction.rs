@@ -2,15 +2,10 @@
 
 use assur_force::Reactions;
 use assur_mechanism::{Friction, LinkId, Middle, PairId, Surfaces};
-use assur_words::text;
 
 use crate::case::{Case, largest};
 use crate::check::Collector;
 use crate::kinetics::ROUNDINGS;
-
-pub(crate) fn collector() -> Collector {
-    Collector::new(text!("check-friction"), text!("check-friction.reason"))
-}
 
 /// The friction of a slide along its guide, N; 0 for another pair.
 pub(crate) fn along(reactions: &Reactions, pair: PairId) -> f64 {
@@ -22,14 +17,8 @@ pub(crate) fn along(reactions: &Reactions, pair: PairId) -> f64 {
 /// Virtual power of all friction for dq = 1.
 pub(crate) fn power(case: &Case<'_>) -> f64 {
     let Some(friction) = &case.reactions.friction else { return 0.0 };
-    let bodies = &case.one.position.bodies;
-    friction
-        .frictions
-        .bearings
-        .iter()
-        .zip(&friction.forces)
-        .map(|(bearing, force)| force * bearing.relative(bodies))
-        .sum()
+    let powers = friction.frictions.powers(&friction.forces, &case.one.position.bodies);
+    powers.map(|(_, power)| power).sum()
 }
 
 /// Compares the friction of all pairs at a state.

@@ -8,25 +8,14 @@ use assur_words::{Text, name, text};
 
 use crate::case::Case;
 use crate::check::Collector;
-use crate::kinetics;
-use crate::kinetics::{ROUNDINGS, rounding_of_sum};
+use crate::kinetics::{self, ROUNDINGS, rounding_of_sum};
 
 /// Why the drive is not compared there.
 const ON_A_JUMP: Text = text!("check-on-a-jump");
 
-/// The checks of the reduced quantities, of the equation of motion, of virtual power, and of the drive.
-pub(crate) fn collectors() -> [Collector; 4] {
-    [
-        Collector::new(text!("check-reduced"), text!("check-reduced.reason")),
-        Collector::new(text!("check-lagrange"), text!("check-lagrange.reason")),
-        Collector::new(text!("check-virtual-power"), text!("check-virtual-power.reason")),
-        Collector::new(text!("check-drive"), text!("check-drive.reason")),
-    ]
-}
-
-/// Compares one state; returns the residuals of the equation of motion and of the global check. Where the motion was found, both
+/// Compares the reduced quantities, the equation of motion, virtual power and the drive at one state; returns the residuals of the equation of motion and of the global check. Where the motion was found, both
 /// are those of the drive that made it: the balancing load of the force analysis follows any acceleration.
-pub(crate) fn compare(case: &Case<'_>, [reduced, lagrange, lever, drive]: &mut [Collector; 4]) -> [f64; 2] {
+pub(crate) fn compare(case: &Case<'_>, [reduced, lagrange, lever, drive]: [&mut Collector; 4]) -> [f64; 2] {
     let (one, state, loads) = (case.one, case.state, case.loads);
     let linkage = case.subject.linkage;
     let bodies = &one.position.bodies;

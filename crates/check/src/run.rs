@@ -8,8 +8,7 @@ use assur_kinematics::Linkage;
 use rayon::prelude::*;
 
 use crate::Chosen;
-use crate::check::Residuals;
-use crate::check::{Check, Collector};
+use crate::check::{Check, Collector, Residuals};
 use crate::closure::Closure;
 use crate::forces::Forces;
 use crate::subject::{Subject, methods};
@@ -56,67 +55,49 @@ impl Subject<'_> {
             done += count;
             flow
         };
-        let transfer = Work {
-            new: || (Closure::new(self), TestPf::new(self)),
-            add: |(closure, test_pf): &mut (Closure, TestPf<'_>), index| {
-                if let Some(one) = self.solve(index, self.linkage.mechanism.input.coordinate(index)) {
-                    closure.add(self, &one);
-                    test_pf.add(&one);
-                }
-            },
-            finish: |(closure, test_pf): (Closure, TestPf<'_>)| {
-                let (collectors, residuals) = test_pf.finish();
-                (closure.collectors().chain(collectors).collect(), residuals)
-            },
+        let new = || (Closure::new(self), TestPf::new(self));
+        let add = |(closure, test_pf): &mut (Closure, TestPf<'_>), index| {
+            if let Some(one) = self.solve(index, self.linkage.mechanism.input.coordinate(index)) {
+                closure.add(self, &one);
+                test_pf.add(&one);
+            }
         };
-        let (mut all, test_pf) = transfer.run(self, &self.positions, &mut step)?;
+        let finish = |(closure, test_pf): (Closure, TestPf<'_>)| {
+            let (collectors, residuals) = test_pf.finish();
+            (closure.collectors().chain(collectors).collect(), residuals)
+        };
+        let (mut all, test_pf) = self.each(&self.positions, &mut step, (new, add, finish))?;
         let mut residuals = Residuals { test_pf, forces: Vec::new() };
         if let Some(loads) = self.loads {
             let writer = Writer::new(self);
-            let forces = Work {
-                new: || Forces::new(self, loads, &writer),
-                add: |forces: &mut Forces<'_>, index| {
-                    if let Some(state) = (self.state)(index) {
-                        forces.add(index, &state);
-                    }
-                },
-                finish: |forces: Forces<'_>| {
-                    let (collectors, residuals) = forces.finish();
-                    (collectors.collect(), residuals)
-                },
+            let add = |forces: &mut Forces<'_>, index| {
+                if let Some(state) = (self.state)(index) {
+                    forces.add(index, &state);
+                }
             };
-            let (checks, of_forces) = forces.run(self, &self.states, &mut step)?;
+            let work = (|| Forces::new(self, loads, &writer), add, Forces::finish);
+            let (checks, of_forces) = self.each(&self.states, &mut step, work)?;
             all.extend(checks);
             residuals.forces = of_forces;
         }
         ControlFlow::Continue((all, residuals))
     }
-}
 
-/// Checks that go through numbered positions or states: how a part of them begins, goes on and ends.
-struct Work<New, Add, Finish> {
-    new: New,
-    add: Add,
-    finish: Finish,
-}
-
-impl<New: Sync, Add: Sync, Finish> Work<New, Add, Finish> {
-    /// Goes through all that are chosen; many by all threads, a range of them each. The result is the same: the ranges are
-    /// joined in their order. `step` is called with the number of those that follow.
-    fn run<C: Send, R, B>(
+    /// Goes through all numbered positions or states that are chosen; many by all threads, a range of them each, which `new` begins,
+    /// `add` goes on with and `finish` ends. The result is the same: the ranges are joined in their order. `step` is called with the
+    /// number of those that follow.
+    fn each<C: Send, R, B>(
         &self,
-        subject: &Subject<'_>,
         chosen: &Chosen,
         step: &mut impl FnMut(usize) -> ControlFlow<B>,
-    ) -> ControlFlow<B, (Vec<Check>, Vec<R>)>
-    where
-        New: Fn() -> C,
-        Add: Fn(&mut C, usize),
-        Finish: Fn(C) -> (Vec<Collector>, Vec<R>),
-    {
-        let Self { new, add, finish } = self;
+        (new, add, finish): (
+            impl Fn() -> C + Sync,
+            impl Fn(&mut C, usize) + Sync,
+            impl Fn(C) -> (Vec<Collector>, Vec<R>),
+        ),
+    ) -> ControlFlow<B, (Vec<Check>, Vec<R>)> {
         let numbers: Vec<usize> = chosen.iter().collect();
-        let much = numbers.len() * subject.linkage.structure.links >= MUCH;
+        let much = numbers.len() * self.linkage.structure.links >= MUCH;
         let parts = if much { rayon::current_num_threads().min(numbers.len() / LEAST).max(1) } else { 1 };
         let range = numbers.len().div_ceil(parts).max(1);
         let mut parts: Vec<(Option<C>, &[usize])> = numbers.chunks(range).map(|part| (None, part)).collect();
@@ -125,7 +106,7 @@ impl<New: Sync, Add: Sync, Finish> Work<New, Add, Finish> {
             let left = |part: &[usize]| part.len().saturating_sub(start).min(together);
             step(parts.iter().map(|(_, part)| left(part)).sum())?;
             let go_on = |(found, part): &mut (Option<C>, &[usize])| {
-                let found = found.get_or_insert_with(new);
+                let found = found.get_or_insert_with(&new);
                 part.iter().skip(start).take(together).for_each(|number| add(found, *number));
             };
             match &mut parts[..] {

@@ -12,8 +12,7 @@ use assur_number::Dd;
 
 use crate::elements::Element;
 use crate::kinetics::{self, ROUNDINGS};
-use crate::numbers::{LEVELS, SAFETY, SAMPLES, SPACING, rounding_of};
-use crate::numbers::{Numbers, Quotient, numbers, quotients};
+use crate::numbers::{LEVELS, Numbers, Quotient, SAFETY, SAMPLES, SPACING, numbers, quotients, rounding_of};
 use crate::perturbation::{Perturbation, TRIALS};
 use crate::subject::{Solved, Subject};
 

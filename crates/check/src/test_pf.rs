@@ -8,15 +8,12 @@ use assur_mechanism::Link;
 use assur_number::Dd;
 use assur_words::{Text, text};
 
-use crate::check::Collector;
-use crate::check::greatest;
+use crate::check::{Collector, greatest};
 use crate::elements::{Element, elements};
 use crate::kinetics;
-use crate::numbers::{LEVELS, SAFETY, extrapolated};
-use crate::numbers::{Numbers, numbers};
+use crate::numbers::{LEVELS, Numbers, SAFETY, extrapolated, numbers};
 use crate::subject::{Solved, Subject};
-use crate::surroundings::interpolated;
-use crate::surroundings::{Differences, Surroundings};
+use crate::surroundings::{Differences, Surroundings, interpolated};
 
 /// Greatest limit, relative to what is compared, with which differences in 16 digits judge; where they need a wider one,
 /// and where they find a deviation, the differences are taken in about 32 digits.

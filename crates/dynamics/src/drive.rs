@@ -1,13 +1,7 @@
-//! The drive of the input link, reduced to it: torque, flywheel and rotor; and a machine with its drive as an equation of motion.
+//! The drive of the input link, reduced to it: torque, flywheel and rotor.
 
-use assur_force::{Side, beside};
-use assur_integrator::{Dependence, EquationOfMotion, MotionError, Piece, Reduced, State, Stretch};
-use assur_mechanism::LoadId;
+use assur_force::{LoadState, Side, beside};
 use assur_motor::Characteristic;
-use assur_words::{Text, name, text};
-
-use crate::Machine;
-use crate::machine::load_state;
 
 /// Source of the driving torque.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -81,7 +75,7 @@ impl InputDrive {
     }
 
     /// Moment of the drive on the input link, N m, along the coordinate, by the formulas on the side of a state.
-    pub fn torque(&self, state: &assur_force::LoadState) -> f64 {
+    pub fn torque(&self, state: &LoadState) -> f64 {
         let above_or_below = |side: f64| {
             let v = self.sense * state.speed;
             let factor = self.branch(self.sense * beside(state.speed, side)).factor;
@@ -96,9 +90,9 @@ impl InputDrive {
     }
 
     /// A state with the load of this drive on the input: its moment less that of its inertia.
-    pub(crate) fn driving(&self, state: assur_force::LoadState) -> assur_force::LoadState {
+    pub(crate) fn driving(&self, state: LoadState) -> LoadState {
         let load = self.torque(&state) - self.inertia * state.acceleration;
-        assur_force::LoadState { drive: Some(load), ..state }
+        LoadState { drive: Some(load), ..state }
     }
 
     /// Moment on the input link at the speed `v` by the formula of the branch with this factor, continued beyond the branch.
@@ -116,101 +110,5 @@ impl InputDrive {
                 }
             }
         }
-    }
-}
-
-/// The equation of motion of a machine with its drive.
-#[derive(Debug, Clone)]
-pub struct Driven<'a> {
-    /// The machine without its drive.
-    pub machine: Machine<'a>,
-    /// The drive.
-    pub drive: InputDrive,
-    factor: f64,
-}
-
-impl<'a> Driven<'a> {
-    /// Puts a drive on the input link of a machine.
-    pub fn new(machine: Machine<'a>, drive: InputDrive) -> Self {
-        Self { machine, drive, factor: 1.0 }
-    }
-
-    /// Moment and inertia of the drive on the input at a state, by the formulas entered last.
-    #[inline]
-    fn present(&self, state: &State) -> [f64; 2] {
-        let sense = self.drive.sense;
-        [sense * self.drive.moment(self.factor, sense * state.speed).value, self.drive.inertia]
-    }
-
-    /// The coefficients without the dry friction of pairs.
-    pub(crate) fn ideal(&mut self, state: &State) -> Result<Reduced, MotionError> {
-        let [moment, inertia] = self.present(state);
-        let Reduced { inertia: own, inertia_derivative, moment: loads } = self.machine.ideal(state)?;
-        Ok(Reduced { inertia: own + inertia, inertia_derivative, moment: loads + moment })
-    }
-
-    /// Chooses the formulas of loads and drive on the side of a state that lies on no bound of the speed.
-    pub(crate) fn enter_side(&mut self, state: &assur_force::LoadState) -> Result<Piece, MotionError> {
-        let piece = self.machine.enter_side(state);
-        self.factor = self.drive.branch(self.drive.sense * state.speed).factor;
-        // At rest itself there is no motion that leads anywhere.
-        if self.dependence().moment_switches && state.speed != 0.0 {
-            self.follow(state)?;
-        }
-        Ok(piece)
-    }
-
-    /// Takes the sides of switches over several variables to which the motion on these sides itself leads.
-    fn follow(&mut self, at: &assur_force::LoadState) -> Result<(), MotionError> {
-        /// More than a switch for each of some loads.
-        const MOST: usize = 8;
-        let assur_force::LoadState { time, coordinate, speed, .. } = *at;
-        let mut turned = None;
-        for _ in 0..MOST {
-            let acceleration = self.acceleration(&State { time, coordinate, speed })?;
-            turned = self.machine.turn(&assur_force::LoadState { acceleration, ..*at });
-            if turned.is_none() {
-                return Ok(());
-            }
-        }
-        let back = |(load, function, column): (LoadId, String, usize)| {
-            let load = self.machine.name_of(load).clone();
-            text!("dynamics-driven-back", load, function = name(function), column)
-        };
-        Err(MotionError::Undetermined(turned.map_or_else(Text::default, back)))
-    }
-}
-
-impl EquationOfMotion for Driven<'_> {
-    fn dependence(&self) -> Dependence {
-        let mut dependence = self.machine.dependence();
-        dependence.moment_on_speed |= matches!(self.drive.source, TorqueSource::Motor { .. });
-        dependence
-    }
-
-    fn enter(&mut self, state: &State) -> Result<Piece, MotionError> {
-        let mut piece = self.enter_side(&load_state(state))?;
-        let [low, high] = self.drive.branch(self.drive.sense * state.speed).speed;
-        let own = if self.drive.sense < 0.0 { [-high, -low] } else { [low, high] };
-        piece.speed = [piece.speed[0].max(own[0]), piece.speed[1].min(own[1])];
-        Ok(piece)
-    }
-
-    fn bends(&mut self, state: &State) -> Result<Vec<f64>, MotionError> {
-        if !self.machine.dependence().moment_on_acceleration {
-            return Ok(Vec::new());
-        }
-        self.reduced(state)?;
-        self.machine.bends(state)
-    }
-
-    fn holds(&self, stretch: &Stretch) -> Option<bool> {
-        self.machine.holds(stretch)
-    }
-
-    #[inline]
-    fn reduced(&mut self, state: &State) -> Result<Reduced, MotionError> {
-        let drive = self.present(state);
-        self.machine.driven(state, drive)
     }
 }

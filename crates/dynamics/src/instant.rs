@@ -1,12 +1,12 @@
 //! An instant of a motion with everything that acts at it: on one side of a jump, or with the load that holds the
 //! speed.
 
-use assur_force::{Side, beside};
+use assur_force::{LoadState, Side, beside};
 use assur_integrator::{EquationOfMotion, MotionError, Reduced, Sample, State};
 use assur_number::search::try_bisect;
 use serde::Serialize;
 
-use crate::Driven;
+use crate::Machine;
 use crate::friction::FrictionMoment;
 use crate::machine::load_state;
 
@@ -17,7 +17,7 @@ const ROUNDING: f64 = 4.0 * f64::EPSILON;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Instant {
     /// The state, with its side.
-    pub state: assur_force::LoadState,
+    pub state: LoadState,
     /// What holds the motion at its speed, if anything does.
     pub holding: Option<Holding>,
     /// Moment of the dry friction of all pairs reduced to the input, N m (N); 0 at rest, where it is not determined.
@@ -34,7 +34,7 @@ pub struct Holding {
     pub bound: f64,
 }
 
-impl Driven<'_> {
+impl Machine<'_> {
     /// Completes a sample of a motion with accelerations and loads. At a jump, the values just after it in the
     /// direction of motion are taken; for the last sample (`is_end`), those just before.
     pub fn instant(&mut self, sample: &Sample, is_end: bool) -> Result<Instant, MotionError> {
@@ -61,12 +61,12 @@ impl Driven<'_> {
         let jump = down - up;
         let mut upper = if jump > 0.0 { down / jump } else { 0.5 };
         let mut friction = 0.0;
-        if self.machine.has_friction() && speed != 0.0 {
+        if self.has_friction() && speed != 0.0 {
             (upper, friction) = self.held_with_friction(&at)?;
         }
         let [net_up, net_down] = [up, down].map(|acceleration| above.inertia * acceleration);
         let holding = Holding { moment: -0.5 * (net_up + net_down), bound: 0.5 * (net_down - net_up) };
-        let state = assur_force::LoadState { side: Side::Held { upper }, ..load_state(&at) };
+        let state = LoadState { side: Side::Held { upper }, ..load_state(&at) };
         let known = jump > 0.0 && !(over.jams || under.jams);
         Ok(Instant { state: self.drive.driving(state), holding: known.then_some(holding), friction })
     }
@@ -79,27 +79,26 @@ impl Driven<'_> {
         of_speed: f64,
     ) -> Result<(Reduced, FrictionMoment), MotionError> {
         let speed = if of_speed == 0.0 { at.speed } else { beside(at.speed, of_speed) };
-        self.enter_side(&assur_force::LoadState { side, ..load_state(&State { speed, ..*at }) })?;
-        Ok((self.reduced(at)?, self.machine.friction()))
+        self.enter_side(&LoadState { side, ..load_state(&State { speed, ..*at }) })?;
+        Ok((self.reduced(at)?, self.friction()))
     }
 
     /// The share of the formulas above a speed that holds it with dry friction, which is not linear in the loads, and the moment of
     /// friction.
     fn held_with_friction(&mut self, at: &State) -> Result<(f64, f64), MotionError> {
-        let state = |upper: f64| assur_force::LoadState { side: Side::Held { upper }, ..load_state(at) };
+        let state = |upper: f64| LoadState { side: Side::Held { upper }, ..load_state(at) };
         let mut above = |upper: f64| -> Result<bool, MotionError> {
-            let drive = [self.drive.torque(&state(upper)), self.drive.inertia];
-            Ok(self.machine.acceleration_at(&state(upper), drive)?.is_some_and(|found| found < 0.0))
+            Ok(self.acceleration_at(&state(upper))?.is_some_and(|found| found < 0.0))
         };
         // More of the formulas above the speed slows down.
         let [lower, _] = try_bisect(0.0, 1.0, 0.0, |upper| above(upper).map(|slows| !slows))?;
         let ideal = self.ideal(at)?;
-        let others = self.machine.load_moment(&state(lower))? + self.drive.torque(&state(lower));
+        let others = self.load_moment(&state(lower))? + self.drive.torque(&state(lower));
         Ok((lower, 0.5 * ideal.inertia_derivative * at.speed * at.speed - others))
     }
 
     fn free(&self, at: &State, acceleration: f64, side: Side, friction: f64) -> Instant {
-        let state = assur_force::LoadState { acceleration, side, ..load_state(at) };
+        let state = LoadState { acceleration, side, ..load_state(at) };
         Instant { state: self.drive.driving(state), holding: None, friction }
     }
 }

@@ -1,6 +1,6 @@
 //! Motion of a mechanism under its loads and its drive.
 //!
-//! * [`Machine`]: a compiled mechanism with its loads as an equation of motion; [`Driven`]: with motor, flywheel and rotor.
+//! * [`Machine`]: a compiled mechanism with its loads, and with motor, flywheel and rotor, as an equation of motion.
 //! * [`transient`]: the motion from an initial state, by a registered integrator.
 //! * [`steady`]: the periodic regime of a scene with ratio and flywheel; [`RegimeSolver`] finds a [`Regime`] of any equation.
 //!
@@ -23,7 +23,7 @@ mod transient;
 
 assur_words::resources!();
 
-pub use drive::{Driven, InputDrive, TorqueSource};
+pub use drive::{InputDrive, TorqueSource};
 pub use error::DynamicsError;
 pub use instant::{Holding, Instant};
 pub use machine::{Machine, Watcher};

@@ -1,35 +1,58 @@
-//! The mechanism with its loads, without its drive, as an equation of motion.
+//! The mechanism with its loads and its drive as an equation of motion.
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use assur_force::{Loads, Phase};
+use assur_force::{LoadState, Loads, Phase};
 use assur_group::{Body, Order};
 use assur_integrator::{Dependence, EquationOfMotion, MotionError, Partials, Piece, Reduced, State, Stretch};
 use assur_kinematics::{Linkage, Position};
-use assur_mechanism::{LoadId, Name};
-use assur_words::text;
+use assur_mechanism::LoadId;
+use assur_words::{Text, name, text};
 
 use crate::Regime;
+use crate::drive::{InputDrive, TorqueSource};
 use crate::friction::{Configuration, Friction, FrictionMoment, KnownMotion};
 
-/// The equation of motion of a compiled mechanism under its loads. Without dry friction in pairs evaluating it allocates nothing.
+/// The equation of motion of a compiled mechanism under its loads and its drive. Without dry friction in pairs evaluating it
+/// allocates nothing.
 #[derive(Debug, Clone)]
 pub struct Machine<'a> {
     linkage: &'a Linkage,
     loads: &'a Loads,
     position: Position,
     phase: Phase,
+    /// Of the loads alone.
     dependence: Dependence,
     friction: Option<Friction>,
+    /// The drive of the input link.
+    pub drive: InputDrive,
+    /// Whether all that moves the machine is known: then its own motion tells the sides of switches over several variables.
+    is_driven: bool,
+    /// Of the branch of the drive that was entered last.
+    factor: f64,
 }
 
 impl<'a> Machine<'a> {
-    /// Takes a compiled mechanism and its compiled loads.
+    /// Takes a compiled mechanism and its compiled loads, without the drive.
     pub fn new(linkage: &'a Linkage, loads: &'a Loads) -> Self {
-        let dependence = loads.dependence();
-        let friction = Friction::of(linkage, loads);
-        Self { linkage, loads, position: linkage.position(), phase: loads.phase(), dependence, friction }
+        Self {
+            linkage,
+            loads,
+            position: linkage.position(),
+            phase: loads.phase(),
+            dependence: loads.dependence(),
+            friction: Friction::of(linkage, loads),
+            drive: InputDrive::NONE,
+            is_driven: false,
+            factor: 1.0,
+        }
+    }
+
+    /// The machine with a drive on its input link.
+    #[must_use]
+    pub fn with_drive(self, drive: InputDrive) -> Self {
+        Self { drive, is_driven: true, ..self }
     }
 
     /// Takes the dry friction of a known motion from now on: the moment depends on the coordinate alone then, as far as friction
@@ -64,9 +87,9 @@ impl<'a> Machine<'a> {
         self.friction.as_ref().map(|friction| friction.found).unwrap_or_default()
     }
 
-    /// The coefficients without dry friction.
+    /// The coefficients of the loads alone, without drive and dry friction.
     #[inline]
-    pub(crate) fn ideal(&mut self, state: &State) -> Result<Reduced, MotionError> {
+    fn of_loads(&mut self, state: &State) -> Result<Reduced, MotionError> {
         self.solve(state.coordinate)?;
         let Self { linkage, loads, position, phase, .. } = self;
         let reduced = loads.reduced_in_phase(phase, &load_state(state), &position.bodies);
@@ -78,42 +101,33 @@ impl<'a> Machine<'a> {
         Ok(reduced)
     }
 
+    /// Moment and moment of inertia of the drive on the input at a state, by the formulas entered last.
+    #[inline]
+    fn of_drive(&self, state: &State) -> [f64; 2] {
+        let sense = self.drive.sense;
+        [sense * self.drive.moment(self.factor, sense * state.speed).value, self.drive.inertia]
+    }
+
+    /// The coefficients without the dry friction of pairs.
+    pub(crate) fn ideal(&mut self, state: &State) -> Result<Reduced, MotionError> {
+        let [moment, inertia] = self.of_drive(state);
+        let loads = self.of_loads(state)?;
+        Ok(Reduced { inertia: loads.inertia + inertia, moment: loads.moment + moment, ..loads })
+    }
+
     /// The reduced moment of the loads at a state by the formulas that the state itself selects, without dry friction.
-    pub(crate) fn load_moment(&mut self, state: &assur_force::LoadState) -> Result<f64, MotionError> {
+    pub(crate) fn load_moment(&mut self, state: &LoadState) -> Result<f64, MotionError> {
         self.solve(state.coordinate)?;
         Ok(self.loads.reduced(state, &self.position.bodies).moment)
     }
 
     /// The acceleration with dry friction at a state by the formulas that the state itself selects; `None` where none is possible.
-    pub(crate) fn acceleration_at(
-        &mut self,
-        state: &assur_force::LoadState,
-        drive: [f64; 2],
-    ) -> Result<Option<f64>, MotionError> {
+    pub(crate) fn acceleration_at(&mut self, state: &LoadState) -> Result<Option<f64>, MotionError> {
+        let drive = [self.drive.torque(state), self.drive.inertia];
         self.solve(state.coordinate)?;
         let Self { linkage, loads, position, phase, friction, .. } = self;
         let Some(friction) = friction else { return Ok(None) };
         friction.acceleration_at(&Configuration { linkage, loads, phase, position }, state, drive)
-    }
-
-    /// The coefficients at a state with a drive on the input: its moment, N m (N), along the coordinate, and its moment of inertia,
-    /// kg m² (kg). Where the moment depends on the acceleration itself (dry friction through inertia loads) it is found here.
-    #[inline]
-    pub(crate) fn driven(
-        &mut self,
-        state: &State,
-        [moment, inertia]: [f64; 2],
-    ) -> Result<Reduced, MotionError> {
-        let mut reduced = self.ideal(state)?;
-        if let Some(friction) = &mut self.friction {
-            let Self { linkage, loads, position, phase, .. } = self;
-            let place = Configuration { linkage, loads, phase, position };
-            let own = friction.moment(&place, &load_state(state), &reduced, [moment, inertia])?;
-            reduced.moment += own;
-        }
-        reduced.inertia += inertia;
-        reduced.moment += moment;
-        Ok(reduced)
     }
 
     /// Potential energy of weights and springs at a coordinate, and the sum of the sizes of its terms, J.
@@ -129,23 +143,38 @@ impl<'a> Machine<'a> {
         Ok(&self.position.bodies)
     }
 
-    /// Chooses the formulas of the loads on the side of a state, and returns the box in which they are smooth.
-    pub(crate) fn enter_side(&mut self, state: &assur_force::LoadState) -> Piece {
+    /// Chooses the formulas of loads and drive on the side of a state, and returns the box in which those of the loads are smooth.
+    pub(crate) fn enter_side(&mut self, state: &LoadState) -> Result<Piece, MotionError> {
         let mut piece = self.loads.enter(state, &mut self.phase);
         if let Some(friction) = &mut self.friction {
             friction.enter(self.loads, state, &mut piece);
         }
-        piece
+        self.factor = self.drive.branch(self.drive.sense * state.speed).factor;
+        // At rest itself there is no motion that leads anywhere.
+        if self.is_driven && self.dependence.moment_switches && state.speed != 0.0 {
+            self.follow(state)?;
+        }
+        Ok(piece)
     }
 
-    /// Takes the sides of switches over several variables to which a motion leads, see [`Loads::turn`].
-    pub(crate) fn turn(&mut self, state: &assur_force::LoadState) -> Option<(LoadId, String, usize)> {
-        self.loads.turn(state, &mut self.phase)
-    }
-
-    /// The name of a load.
-    pub(crate) fn name_of(&self, load: LoadId) -> &Name {
-        &self.linkage.mechanism.loads[load].name
+    /// Takes the sides of switches over several variables to which the motion on these sides itself leads.
+    fn follow(&mut self, at: &LoadState) -> Result<(), MotionError> {
+        /// More than a switch for each of some loads.
+        const MOST: usize = 8;
+        let LoadState { time, coordinate, speed, .. } = *at;
+        let mut turned = None;
+        for _ in 0..MOST {
+            let acceleration = self.acceleration(&State { time, coordinate, speed })?;
+            turned = self.loads.turn(&LoadState { acceleration, ..*at }, &mut self.phase);
+            if turned.is_none() {
+                return Ok(());
+            }
+        }
+        let back = |(load, function, column): (LoadId, String, usize)| {
+            let load = &self.linkage.mechanism.loads[load].name;
+            text!("dynamics-driven-back", load, function = name(function), column)
+        };
+        Err(MotionError::Undetermined(turned.map_or_else(Text::default, back)))
     }
 
     #[inline]
@@ -172,24 +201,28 @@ impl<'a> Machine<'a> {
 }
 
 #[inline]
-pub(crate) fn load_state(&State { time, coordinate, speed }: &State) -> assur_force::LoadState {
-    assur_force::LoadState { time, coordinate, speed, ..assur_force::LoadState::default() }
+pub(crate) fn load_state(&State { time, coordinate, speed }: &State) -> LoadState {
+    LoadState { time, coordinate, speed, ..LoadState::default() }
 }
 
 impl EquationOfMotion for Machine<'_> {
     fn dependence(&self) -> Dependence {
-        let Some(friction) = &self.friction else { return self.dependence };
-        let by_motion = friction.course.is_none();
-        Dependence {
-            moment_on_coordinate: true,
-            moment_on_speed: self.dependence.moment_on_speed || by_motion,
-            moment_on_acceleration: by_motion,
-            ..self.dependence
+        let mut dependence = self.dependence;
+        if let Some(friction) = &self.friction {
+            dependence.moment_on_coordinate = true;
+            dependence.moment_on_acceleration = friction.course.is_none();
+            dependence.moment_on_speed |= dependence.moment_on_acceleration;
         }
+        dependence.moment_on_speed |= matches!(self.drive.source, TorqueSource::Motor { .. });
+        dependence
     }
 
     fn enter(&mut self, state: &State) -> Result<Piece, MotionError> {
-        Ok(self.enter_side(&load_state(state)))
+        let mut piece = self.enter_side(&load_state(state))?;
+        let [low, high] = self.drive.branch(self.drive.sense * state.speed).speed;
+        let own = if self.drive.sense < 0.0 { [-high, -low] } else { [low, high] };
+        piece.speed = [piece.speed[0].max(own[0]), piece.speed[1].min(own[1])];
+        Ok(piece)
     }
 
     fn holds(&self, stretch: &Stretch) -> Option<bool> {
@@ -198,11 +231,25 @@ impl EquationOfMotion for Machine<'_> {
 
     #[inline]
     fn reduced(&mut self, state: &State) -> Result<Reduced, MotionError> {
-        self.driven(state, [0.0; 2])
+        let drive = self.of_drive(state);
+        let mut reduced = self.of_loads(state)?;
+        // Where the moment depends on the acceleration itself (dry friction through inertia loads) it is found here.
+        if let Some(friction) = &mut self.friction {
+            let Self { linkage, loads, position, phase, .. } = self;
+            let place = Configuration { linkage, loads, phase, position };
+            reduced.moment += friction.moment(&place, &load_state(state), &reduced, drive)?;
+        }
+        let [moment, inertia] = drive;
+        reduced.inertia += inertia;
+        reduced.moment += moment;
+        Ok(reduced)
     }
 
-    /// Of the friction that was found last: at this state, under its drive.
-    fn bends(&mut self, _: &State) -> Result<Vec<f64>, MotionError> {
+    /// Of the friction at this state; of a known motion, of the friction that was found last.
+    fn bends(&mut self, state: &State) -> Result<Vec<f64>, MotionError> {
+        if self.dependence().moment_on_acceleration {
+            self.reduced(state)?;
+        }
         Ok(self.friction.as_ref().map_or_else(Vec::new, |friction| friction.pressing.clone()))
     }
 }

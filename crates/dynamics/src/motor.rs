@@ -8,7 +8,7 @@ use assur_motor::{
     SelectionRequest, catalogues, check_breakdown, check_rms, check_rotor_inertia, check_starting,
     find_motor, list_motors, nearest, rms_torque, select,
 };
-use assur_words::text;
+use assur_words::{name, text};
 use serde::Serialize;
 
 use crate::{DynamicsError, Regime};
@@ -45,14 +45,9 @@ impl DriveMotor {
 
     /// A warning where the rotor counts as massless, since its inertia is not known.
     pub(crate) fn unknown_rotor(&self) -> Option<MotorWarning> {
-        match self.row() {
-            Some(row) => check_rotor_inertia(row),
-            None => {
-                self.motor.rotor_inertia.is_none().then(|| MotorWarning::RotorInertiaUnknown {
-                    designation: text!("dynamics-motor-by-data"),
-                })
-            }
-        }
+        let by_data = || text!("dynamics-motor-by-data");
+        let designation = self.row().map_or_else(by_data, |row| name(row.designation.clone()));
+        check_rotor_inertia(self.motor.rotor_inertia, designation)
     }
 
     /// The motor of a scene, if its torque is that of a motor. For choosing one, `need` gives the power at the motor
@@ -104,7 +99,7 @@ impl DriveMotor {
     /// The next of the other suitable motors in its place; `None` after the last one.
     pub(crate) fn next(&self) -> Option<Self> {
         let (next, others) = self.runners_up.split_first()?;
-        let motor = Self::new(Cow::Borrowed(next.motor), self.characteristic.kind()).ok()?;
+        let motor = Self::new(Cow::Borrowed(next.motor), self.characteristic.kind).ok()?;
         Some(Self { runners_up: others.to_vec(), ..motor })
     }
 }

@@ -14,7 +14,7 @@ use crate::friction::KnownMotion;
 use crate::machine::Watcher;
 use crate::scene::{Steady, chosen_motor, cycle_request, steady_motion};
 use crate::steady::CycleRequest;
-use crate::{Driven, DynamicsError, Machine};
+use crate::{DynamicsError, Machine};
 
 /// Finds the steady regime of a scene. The watcher sees every state that is evaluated and may stop the search with an
 /// error.
@@ -96,7 +96,7 @@ fn check_friction(
     request: &CycleRequest,
     found: Steady,
 ) -> Result<Steady, DynamicsError> {
-    let mut motion = Driven::new(machine, found.regime.drive());
+    let mut motion = machine.with_drive(found.regime.drive());
     for coordinate in places(request) {
         let state = State { time: 0.0, coordinate, speed: found.regime.state(coordinate).speed };
         let failed = |source| DynamicsError::Equation { coordinate, source };

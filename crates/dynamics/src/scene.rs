@@ -6,9 +6,9 @@ use assur_force::Loads;
 use assur_integrator::EquationOfMotion;
 use assur_kinematics::Linkage;
 use assur_mechanism::{FlywheelPlace, InputPair, Mechanism, Motion, Solve, Torque};
-use assur_motor::{Characteristic, FlywheelSize, Motor, PassedOver, Refusal, flywheel_sizes};
+use assur_motor::{Characteristic, FlywheelSize, Motor, PassedOver, flywheel_sizes};
 use assur_number::{elementary, search};
-use assur_words::Describe;
+use assur_words::{Describe, Text};
 
 use crate::friction::KnownMotion;
 use crate::machine::{Watched, Watcher};
@@ -63,13 +63,12 @@ pub(crate) fn steady_motion(
 type RegimeResult = Result<(Regime, Option<SteadyMotor>), DynamicsError>;
 
 /// Why a motor that was tried is not taken; `None` for one that is.
-fn refusal(found: &RegimeResult) -> Option<Refusal> {
+fn refusal(found: &RegimeResult) -> Option<Text> {
     match found {
         Ok((_, motor)) => {
-            let mut warnings = motor.iter().flat_map(|motor| &motor.warnings);
-            warnings.find(|warning| warning.is_unfit()).cloned().map(Refusal::Unfit)
+            motor.iter().flat_map(|motor| &motor.warnings).find_map(|warning| warning.unfit.clone())
         }
-        Err(error) => Some(Refusal::NoRegime(error.describe())),
+        Err(error) => Some(error.describe()),
     }
 }
 

@@ -12,7 +12,7 @@ use assur_mechanism::{
 use assur_motor::MotorWarning;
 use assur_words::{Describe, Text};
 
-use crate::drive::{Driven, InputDrive, TorqueSource};
+use crate::drive::{InputDrive, TorqueSource};
 use crate::instant::Instant;
 use crate::machine::{Watched, Watcher};
 use crate::motor::DriveMotor;
@@ -142,8 +142,8 @@ fn solve(
 /// # Errors
 ///
 /// [`DynamicsError::SteadyOnly`], and what is wrong with the motor.
-pub fn equation<'a>(linkage: &'a Linkage, loads: &'a Loads) -> Result<Driven<'a>, DynamicsError> {
-    Ok(Driven::new(Machine::new(linkage, loads), input_drive(&linkage.mechanism)?))
+pub fn equation<'a>(linkage: &'a Linkage, loads: &'a Loads) -> Result<Machine<'a>, DynamicsError> {
+    Ok(Machine::new(linkage, loads).with_drive(input_drive(&linkage.mechanism)?))
 }
 
 /// The request for an integrator that a scene's transient motion makes.
@@ -238,7 +238,7 @@ fn is_conservative(mechanism: &Mechanism) -> bool {
 const ROUNDINGS: f64 = 8.0;
 
 fn balance(
-    motion: &mut Driven<'_>,
+    motion: &mut Machine<'_>,
     trajectory: &Trajectory,
     conservative: bool,
 ) -> Result<EnergyBalance, DynamicsError> {
@@ -251,7 +251,7 @@ fn balance(
         let reduced = motion.ideal(&state).map_err(failed)?;
         found.kinetic.push(0.5 * reduced.inertia * speed * speed);
         found.by_speed = found.by_speed.max(0.5 * reduced.inertia * speed.abs() * fastest);
-        let [potential, terms] = motion.machine.potential_energy(coordinate).map_err(failed)?;
+        let [potential, terms] = motion.potential_energy(coordinate).map_err(failed)?;
         let uncertain = (reduced.moment * coordinate).abs() + ROUNDINGS * terms;
         found.rounding = found.rounding.max(uncertain * f64::EPSILON);
         found.potential.push(potential);

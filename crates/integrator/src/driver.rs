@@ -233,7 +233,7 @@ impl<'a, S: Stepper> Drive<'a, S> {
             return Ok(());
         }
         let may_leave = self.bounds.may_leave(&self.run.node, &to);
-        if may_leave || self.run.equation.has_switches() {
+        if may_leave || self.run.equation.dependence().moment_switches {
             let dense = self.dense(&to)?;
             let exit = if may_leave { self.bounds.first_exit(&dense) } else { None };
             let change = first_change_in(&self.run.equation, &dense);

@@ -3,7 +3,7 @@
 use assur_plugin::RegistryError;
 use assur_words::{Describe, Text, name, number, text};
 
-use crate::{Dependence, MotionError, Request, State, Until, integrators};
+use crate::{Dependence, MotionError, State, Until, integrators};
 
 /// Why there is no trajectory.
 #[derive(Clone)]
@@ -88,11 +88,6 @@ impl IntegrationError {
             MotionError::Mechanism(_) => Self::EndOfRange { at: *at, source },
             _ => Self::Equation { at: *at, source },
         }
-    }
-
-    /// The end that `request` asks for isn't reached: `at` is the last state; the rest says why.
-    pub fn not_reached(request: &Request, at: State, why: Text) -> Self {
-        Self::NotReached { goal: request.until, at, why }
     }
 }
 

@@ -172,18 +172,15 @@ fn first_negative(g: impl Fn(f64) -> f64, end: f64) -> Option<f64> {
         let theta = part * end;
         if g(theta) < 0.0 {
             if inside == 0.0 && g(0.0) <= 0.0 {
-                inside = inside_near(&g, theta)?;
+                // A θ close to 0 where `g` is positive, for a step that starts on the bound.
+                inside =
+                    (1..40).map(|halvings| theta * 0.5_f64.powi(halvings)).find(|theta| g(*theta) > 0.0)?;
             }
             return Some(root(inside, theta, f64::EPSILON, &g));
         }
         inside = theta;
     }
     None
-}
-
-/// A θ close to 0 where `g` is positive, for a step that starts on the bound.
-fn inside_near(g: &impl Fn(f64) -> f64, outside: f64) -> Option<f64> {
-    (1..40).map(|halvings| outside * 0.5_f64.powi(halvings)).find(|theta| g(*theta) > 0.0)
 }
 
 #[cfg(test)]

@@ -24,7 +24,7 @@ pub fn enter(
     }
     let Some(upward) = leading(equation, state, 1.0)? else { return leading(equation, state, -1.0) };
     // Other loads never drive away from rest to both sides.
-    if state.speed == 0.0 && equation.depends_on_acceleration() {
+    if state.speed == 0.0 && equation.dependence().moment_on_acceleration {
         if let Some((_, downward)) = leading(equation, state, -1.0)? {
             let shown = |value: f64| number(format_args!("{value:.6e}"));
             let both = text!("integrator-both-directions", up = shown(upward.1), down = shown(downward));
@@ -46,7 +46,11 @@ fn leading(
     Ok((acceleration * side > 0.0).then_some((piece, acceleration)))
 }
 
-fn acceleration(equation: &mut CountedEquation<'_>, state: &State) -> Result<f64, IntegrationError> {
+/// Acceleration at a state of the motion.
+pub(crate) fn acceleration(
+    equation: &mut CountedEquation<'_>,
+    state: &State,
+) -> Result<f64, IntegrationError> {
     equation.acceleration(state).map_err(|source| IntegrationError::equation(state, source))
 }
 

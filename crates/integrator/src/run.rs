@@ -4,6 +4,7 @@
 use assur_number::ROUNDING;
 use assur_words::{Text, text};
 
+use crate::piece_ahead::acceleration;
 use crate::{
     CountedEquation, EquationOfMotion, Event, EventKind, IntegrationError, MotionError, Node, Piece, Request,
     Sample, State, Trajectory, Until, enter,
@@ -130,7 +131,7 @@ impl<'a, C: Curve> Run<'a, C> {
         let (Some(last), Some(other)) = (last, self.turned_at[1 - side]) else { return Ok(()) };
         let swing = (state.coordinate - other).abs();
         let same = (state.coordinate - last).abs() <= ROUNDING.max(self.request.tolerance) * swing;
-        if endless && same && !self.equation.depends_on_time() {
+        if endless && same && !self.equation.dependence().moment_on_time {
             // An oscillation smaller than the errors of the motion doesn't count.
             let way = (state.coordinate - self.request.initial.coordinate).abs();
             let creeps = swing <= self.request.tolerance * way;
@@ -219,8 +220,7 @@ impl<'a, C: Curve> Run<'a, C> {
 
     /// Ends here, with the acceleration by the formulas of the present piece.
     pub fn finish(&mut self) -> Result<(), IntegrationError> {
-        let acceleration = self.equation.acceleration(&self.node.state);
-        self.node.acceleration = acceleration.map_err(|source| self.failed(source))?;
+        self.node.acceleration = acceleration(&mut self.equation, &self.node.state)?;
         self.finished = true;
         Ok(())
     }
@@ -266,7 +266,7 @@ impl<'a, C: Curve> Run<'a, C> {
 
     /// The error that the end isn't reached, with the reason.
     pub fn not_reached(&self, why: Text) -> IntegrationError {
-        IntegrationError::not_reached(self.request, self.node.state, why)
+        IntegrationError::NotReached { goal: self.request.until, at: self.node.state, why }
     }
 
     /// The motion that was found.
@@ -305,9 +305,7 @@ impl<C: Curve> Segment<C> {
     fn node(&self, equation: &mut CountedEquation<'_>, time: f64) -> Result<Node, IntegrationError> {
         let state = self.at(time);
         let acceleration = match self.curve {
-            Some(_) => {
-                equation.acceleration(&state).map_err(|source| IntegrationError::equation(&state, source))?
-            }
+            Some(_) => acceleration(equation, &state)?,
             None => 0.0,
         };
         Ok(Node { state, acceleration })

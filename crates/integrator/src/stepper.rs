@@ -2,7 +2,8 @@
 //! here.
 
 use crate::{
-    Control, Dense, EquationOfMotion, MotionError, Partials, Piece, Scale, SolutionCost, State, Stretch,
+    Control, Dense, Dependence, EquationOfMotion, MotionError, Partials, Piece, Scale, SolutionCost, State,
+    Stretch,
 };
 
 /// A state and its acceleration.
@@ -88,13 +89,17 @@ pub trait Stepper: Default {
         equation.acceleration(end)
     }
 
-    /// The inside of the last step, from `from` to `to`.
+    /// The inside of the last step, from `from` to `to`: by default the parabola, or the polynomials through both ends.
     fn dense(
         &mut self,
         equation: &mut CountedEquation<'_>,
         from: &Node,
         to: &Node,
-    ) -> Result<Dense, MotionError>;
+    ) -> Result<Dense, MotionError> {
+        let _ = equation;
+        let step = to.state.time - from.state.time;
+        Ok(if Self::PARABOLIC { Dense::parabola(from, step) } else { Dense::hermite(from, to) })
+    }
 }
 
 /// The equation of motion as a step sees it.
@@ -110,25 +115,15 @@ impl<'a> CountedEquation<'a> {
         Self { motion, cost: SolutionCost::default() }
     }
 
-    /// The moment depends on time.
-    pub fn depends_on_time(&self) -> bool {
-        self.motion.dependence().moment_on_time
-    }
-
-    /// The moment depends on the acceleration: dry friction through inertia loads.
-    pub fn depends_on_acceleration(&self) -> bool {
-        self.motion.dependence().moment_on_acceleration
+    /// What J and Q depend on.
+    pub fn dependence(&self) -> Dependence {
+        self.motion.dependence()
     }
 
     /// Enters the piece just after `state`, see [`EquationOfMotion::enter`].
     pub fn enter(&mut self, state: &State) -> Result<Piece, MotionError> {
         self.cost.pieces += 1;
         self.motion.enter(state)
-    }
-
-    /// Whether steps have to ask [`holds`](Self::holds).
-    pub(crate) fn has_switches(&self) -> bool {
-        self.motion.dependence().moment_switches
     }
 
     /// Whether the formulas of the present piece hold throughout a stretch, see [`EquationOfMotion::holds`].

@@ -85,7 +85,8 @@ pub struct RatedMotor {
 }
 
 /// Form of the mechanical characteristic.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
+#[serde(rename_all = "lowercase")]
 pub enum CharacteristicKind {
     /// Kloss's formula.
     Kloss,

@@ -1,7 +1,7 @@
 //! The mechanical characteristic: torque of the motor as a function of its speed.
 
 use assur_words::{number, text};
-use serde::{Serialize, Serializer};
+use serde::Serialize;
 
 use crate::{CharacteristicKind, MotorError, RatedMotor};
 
@@ -13,8 +13,11 @@ use crate::{CharacteristicKind, MotorError, RatedMotor};
 ///   great far from the working section.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Characteristic {
-    /// Slip of the greatest torque; `None` for a straight line. Results have the name of the formula in its place.
-    #[serde(rename = "characteristic", serialize_with = "formula")]
+    /// By which formula it goes.
+    #[serde(rename = "characteristic")]
+    pub kind: CharacteristicKind,
+    /// Slip of the greatest torque; `None` for a straight line.
+    #[serde(skip)]
     pub critical_slip: Option<f64>,
     /// Synchronous speed, rad/s.
     #[serde(skip)]
@@ -29,22 +32,7 @@ pub struct Characteristic {
     pub breakdown_torque: Option<f64>,
 }
 
-#[expect(clippy::ref_option, reason = "as serde hands it over")]
-fn formula<S: Serializer>(critical_slip: &Option<f64>, serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.serialize_str(name(*critical_slip))
-}
-
-/// The formula of a characteristic by its critical slip: `kloss` or `linear`.
-fn name(critical_slip: Option<f64>) -> &'static str {
-    if critical_slip.is_some() { "kloss" } else { "linear" }
-}
-
 impl Characteristic {
-    /// By which formula it goes.
-    pub fn kind(&self) -> CharacteristicKind {
-        if self.critical_slip.is_some() { CharacteristicKind::Kloss } else { CharacteristicKind::Linear }
-    }
-
     /// The characteristic of that kind through synchronous speed and the rated point.
     ///
     /// # Errors
@@ -53,23 +41,20 @@ impl Characteristic {
     /// needs.
     pub fn new(kind: CharacteristicKind, rated: &RatedMotor) -> Result<Self, MotorError> {
         validate(rated)?;
-        let torque = rated_torque(rated);
+        let RatedMotor { power, rated_speed, synchronous_speed, max_torque_ratio, .. } = *rated;
+        let rated_torque = power / rated_speed;
+        let rated_slip = (synchronous_speed - rated_speed) / synchronous_speed;
         // sk = sn (l + sqrt(l² - 1)): M(sn) = Mn solved for sk, the root above sn.
-        let critical_slip = |ratio: f64| rated_slip(rated) * (ratio + ((ratio - 1.0) * (ratio + 1.0)).sqrt());
+        let critical_slip = |ratio: f64| rated_slip * (ratio + ((ratio - 1.0) * (ratio + 1.0)).sqrt());
         let critical_slip = match kind {
             CharacteristicKind::Kloss => {
                 let absent = || MotorError(text!("motor-no-torque-ratio"));
-                Some(rated.max_torque_ratio.map(critical_slip).ok_or_else(absent)?)
+                Some(max_torque_ratio.map(critical_slip).ok_or_else(absent)?)
             }
             CharacteristicKind::Linear => None,
         };
-        Ok(Self {
-            synchronous_speed: rated.synchronous_speed,
-            rated_speed: rated.rated_speed,
-            rated_torque: torque,
-            breakdown_torque: rated.max_torque_ratio.map(|ratio| ratio * torque),
-            critical_slip,
-        })
+        let breakdown_torque = max_torque_ratio.map(|ratio| ratio * rated_torque);
+        Ok(Self { kind, critical_slip, synchronous_speed, rated_speed, rated_torque, breakdown_torque })
     }
 
     /// Torque at the motor speed `speed` (rad/s), N·m. Above synchronous speed the motor brakes (M < 0);
@@ -102,11 +87,6 @@ impl Characteristic {
     /// Slip s = (ws - w) / ws: 0 at synchronous speed, 1 at rest, negative above synchronous speed.
     pub fn slip(&self, speed: f64) -> f64 {
         (self.synchronous_speed - speed) / self.synchronous_speed
-    }
-
-    /// Stable name of its kind, as scenes write it: `kloss` or `linear`.
-    pub fn name(&self) -> &'static str {
-        name(self.critical_slip)
     }
 
     /// Speed of the greatest torque, rad/s; `None` for a straight line. Negative if the critical slip exceeds 1.
@@ -154,14 +134,4 @@ pub(crate) fn validate(rated: &RatedMotor) -> Result<(), MotorError> {
         }
         _ => Ok(()),
     }
-}
-
-/// Rated torque Mn = Pn / wn, N·m.
-pub(crate) fn rated_torque(rated: &RatedMotor) -> f64 {
-    rated.power / rated.rated_speed
-}
-
-/// Rated slip sn = (ws - wn) / ws.
-pub(crate) fn rated_slip(rated: &RatedMotor) -> f64 {
-    (rated.synchronous_speed - rated.rated_speed) / rated.synchronous_speed
 }

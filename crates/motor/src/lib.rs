@@ -52,7 +52,6 @@ mod error;
 mod flywheel;
 mod lookup;
 mod motor;
-mod passed;
 mod selection;
 mod table;
 mod warning;
@@ -68,8 +67,7 @@ pub use flywheel::{USUAL_SOURCE, USUAL_UNEVENNESS, UsualUnevenness};
 pub use lookup::find_designation;
 pub use lookup::{latin_designation, normalize_designation, same_designation};
 pub use motor::{Motor, flag_meaning, rad_per_s, rpm};
-pub use passed::{PassedOver, Refusal, nearest};
-pub use selection::{Candidate, Selection, SelectionRequest, select};
+pub use selection::{Candidate, PassedOver, Selection, SelectionRequest, nearest, select};
 pub use table::{CatalogueTable, parse_table};
 pub use warning::{
     MotorWarning, check_breakdown, check_rms, check_rotor_inertia, check_starting, rms_torque,

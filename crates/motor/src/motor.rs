@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 use std::f64::consts::PI;
 
-use assur_words::{Text, text};
+use assur_words::{Text, number, text};
 use serde::Serialize;
 
 use crate::{RatedMotor, latin_designation};
@@ -126,6 +126,21 @@ pub fn rad_per_s(rpm: f64) -> f64 {
 /// Speed in 1/min of a speed in rad/s.
 pub const fn rpm(rad_per_s: f64) -> f64 {
     rad_per_s * 30.0 / PI
+}
+
+/// A torque, or another number of a message, to a thousandth.
+pub(crate) fn torque_of(torque: f64) -> Text {
+    number(format_args!("{torque:.3}"))
+}
+
+/// A number to a thousandth, without zeros at its end.
+pub(crate) fn digits(value: f64) -> Text {
+    number((1e3 * value).round() / 1e3)
+}
+
+/// A number to a tenth.
+pub(crate) fn tenths(value: f64) -> Text {
+    number(format_args!("{value:.1}"))
 }
 
 /// Flags and what they mean. `*` stands for the printed value.

@@ -1,10 +1,10 @@
 //! Choosing a motor: the smallest that gives the power and keeps the speed limit.
 
-use assur_words::{name, number, text};
+use assur_words::{Describe, Text, name, number, text};
 use serde::{Serialize, Serializer};
 
-use crate::motor::{better, rpm};
-use crate::{CharacteristicKind, Motor, MotorError, PassedOver, Refusal};
+use crate::motor::{better, digits, rpm, tenths};
+use crate::{CharacteristicKind, Motor, MotorError};
 
 /// Relative slack of comparisons with a rated value, so that the rounding of a unit conversion doesn't decide.
 const SLACK: f64 = 1e-9;
@@ -35,6 +35,44 @@ impl Serialize for Candidate<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         self.motor.entry(Some(self.ratio)).serialize(serializer)
     }
+}
+
+/// A motor that was not taken.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PassedOver<'a> {
+    /// The catalogue row.
+    pub motor: &'a Motor,
+    /// Why.
+    pub why: Text,
+}
+
+impl Describe for PassedOver<'_> {
+    fn describe(&self) -> Text {
+        let (power, speed) = (digits(self.motor.rated_power / 1e3), whole_rpm(self.motor.synchronous_speed));
+        let (motor, why) = (name(self.motor.designation.clone()), &self.why);
+        text!("motor-passed", motor, power, speed, why)
+    }
+}
+
+fn whole_rpm(speed: f64) -> Text {
+    number(format_args!("{:.0}", rpm(speed)))
+}
+
+/// Of each reason the motor that stands closest before the chosen one in the order of preference, the nearest first. Those that are
+/// too weak are reported where there are no others.
+pub fn nearest<'a>(mut passed: Vec<PassedOver<'a>>, chosen: &Motor) -> Vec<PassedOver<'a>> {
+    passed.retain(|one| better(one.motor, chosen).is_lt());
+    passed.sort_by(|a, b| better(b.motor, a.motor));
+    let mut known = Vec::new();
+    passed.retain(|one| {
+        // That there is no regime is one reason, whatever the cause.
+        let reason = one.why.identity().filter(|id| id.starts_with("motor-"));
+        let is_weak = reason == Some("motor-passed-weak");
+        let is_new = !known.contains(&reason) && (known.is_empty() || !is_weak);
+        known.push(reason);
+        is_new
+    });
+    passed
 }
 
 /// What was chosen, and from what.
@@ -71,7 +109,8 @@ where
         }
     }
     fits.sort_by(|a, b| better(a, b));
-    let mut candidates = fits.into_iter().map(|motor| request.candidate(motor));
+    let ratio = |motor: &Motor| motor.rated_speed / request.input_speed.abs();
+    let mut candidates = fits.into_iter().map(|motor| Candidate { motor, ratio: ratio(motor) });
     let chosen = candidates.next().ok_or_else(|| request.why_none(&motors))?;
     Ok(Selection { chosen, runners_up: candidates.collect(), passed_over })
 }
@@ -103,20 +142,15 @@ impl SelectionRequest {
     }
 
     /// The first demand that a motor does not meet.
-    fn refusal(&self, motor: &Motor) -> Option<Refusal> {
-        let required = self.required_power;
-        if motor.rated_power < required * (1.0 - SLACK) {
-            Some(Refusal::Weak { required })
-        } else if !self.has_data(motor) {
-            Some(Refusal::NoBreakdown)
-        } else {
-            let limit = self.max_motor_speed.filter(|_| !self.keeps_limit(motor));
-            limit.map(|limit| Refusal::Fast { limit })
+    fn refusal(&self, motor: &Motor) -> Option<Text> {
+        if motor.rated_power < self.required_power * (1.0 - SLACK) {
+            return Some(text!("motor-passed-weak", required = digits(self.required_power / 1e3)));
         }
-    }
-
-    fn candidate<'a>(&self, motor: &'a Motor) -> Candidate<'a> {
-        Candidate { motor, ratio: motor.rated_speed / self.input_speed.abs() }
+        if !self.has_data(motor) {
+            return Some(text!("motor-passed-no-breakdown"));
+        }
+        let limit = self.max_motor_speed.filter(|_| !self.keeps_limit(motor))?;
+        Some(text!("motor-passed-fast", limit = whole_rpm(limit)))
     }
 
     /// Which of the demands no row meets, the most fundamental first.
@@ -124,7 +158,6 @@ impl SelectionRequest {
         if motors.is_empty() {
             return MotorError(text!("motor-select-no-motors"));
         }
-        let tenths = |value: f64| number(format_args!("{value:.1}"));
         let designation = |motor: &Motor| name(motor.designation.clone());
         let known: Vec<&Motor> = motors.iter().copied().filter(|m| self.has_data(m)).collect();
         let Some(slowest) = known.iter().min_by(|a, b| a.synchronous_speed.total_cmp(&b.synchronous_speed))

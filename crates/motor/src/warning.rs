@@ -1,86 +1,21 @@
 //! Warnings about a motor that can be used nevertheless.
 
-use assur_words::{Describe, Text, name, number, text};
-use serde::{Serialize, Serializer};
+use assur_words::{Text, text};
+use serde::Serialize;
 
-use crate::motor::rpm;
-use crate::{Characteristic, Motor};
+use crate::Characteristic;
+use crate::motor::{digits, rpm, tenths, torque_of};
 
-/// A remark on the drive, with its numbers. Speeds and torques are those of the motor shaft.
-#[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
-pub enum MotorWarning {
-    /// The motor is loaded beyond its breakdown torque, or would have to be.
-    BeyondBreakdown {
-        /// The worst working speed, rad/s.
-        speed: f64,
-        /// Torque of the characteristic there, N·m.
-        torque: f64,
-        /// Breakdown torque, N·m.
-        breakdown_torque: f64,
-    },
-    /// The motor cannot start under that load.
-    StartingTorque {
-        /// Starting torque of the motor, N·m.
-        available: f64,
-        /// Torque of the load at rest, on the motor shaft, N·m.
-        required: f64,
-    },
-    /// The motor becomes too hot in continuous duty.
-    RmsTorque {
-        /// Root mean square torque over a cycle, N·m.
-        rms: f64,
-        /// Rated torque, N·m.
-        rated: f64,
-    },
-    /// The rotor counts as massless.
-    RotorInertiaUnknown {
-        /// The motor.
-        designation: Text,
-    },
-}
-
-impl MotorWarning {
-    /// Whether the motor can't do its work, so that another one is needed; else only something about it is not known.
-    pub fn is_unfit(&self) -> bool {
-        !matches!(self, Self::RotorInertiaUnknown { .. })
-    }
-}
-
-impl Serialize for MotorWarning {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        self.describe().serialize(serializer)
-    }
-}
-
-impl Describe for MotorWarning {
-    fn describe(&self) -> Text {
-        let torque_of = |torque: f64| number(format_args!("{torque:.3}"));
-        let tenths = |value: f64| number(format_args!("{value:.1}"));
-        match *self {
-            Self::BeyondBreakdown { speed, torque, breakdown_torque } => text!(
-                "motor-beyond-breakdown",
-                speed = tenths(rpm(speed)),
-                torque = torque_of(torque),
-                breakdown = torque_of(breakdown_torque)
-            ),
-            Self::StartingTorque { available, required } => text!(
-                "motor-starting-torque",
-                available = torque_of(available),
-                required = torque_of(required),
-                lack = torque_of(required - available)
-            ),
-            Self::RmsTorque { rms, rated } => text!(
-                "motor-rms-torque",
-                rms = torque_of(rms),
-                rated = torque_of(rated),
-                excess = tenths(100.0 * (rms / rated - 1.0))
-            ),
-            Self::RotorInertiaUnknown { ref designation } => {
-                text!("motor-rotor-inertia-unknown", designation)
-            }
-        }
-    }
+/// A remark on the drive.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(transparent)]
+pub struct MotorWarning {
+    /// What it says.
+    pub text: Text,
+    /// Where the motor can't do its work, so that another one is needed: why, beside its name. Else only something about it is not
+    /// known.
+    #[serde(skip)]
+    pub unfit: Option<Text>,
 }
 
 /// Whether one of the working speeds (rad/s, of the motor shaft) is beyond the breakdown point; the worst one.
@@ -99,7 +34,11 @@ pub fn check_breakdown(
         Some(sk) => slip(&speed) > sk,
         None => torque.abs() > breakdown_torque,
     };
-    beyond.then_some(MotorWarning::BeyondBreakdown { speed, torque, breakdown_torque })
+    beyond.then(|| {
+        let [torque, breakdown] = [torque, breakdown_torque].map(torque_of);
+        let text = text!("motor-beyond-breakdown", speed = tenths(rpm(speed)), torque, breakdown);
+        MotorWarning { unfit: Some(text.clone()), text }
+    })
 }
 
 /// Torque at rest, N·m: from the ratio in the catalogue, else from the characteristic; `None` if neither gives it.
@@ -118,7 +57,12 @@ pub fn check_starting(
     required: f64,
 ) -> Option<MotorWarning> {
     let available = starting_torque(characteristic, starting_torque_ratio)?;
-    (required > available).then_some(MotorWarning::StartingTorque { available, required })
+    (required > available).then(|| {
+        let [have, need, lack] = [available, required, required - available].map(torque_of);
+        let text = text!("motor-starting-torque", available = have, required = need, lack);
+        let [available, required] = [available, required].map(digits);
+        MotorWarning { text, unfit: Some(text!("motor-passed-start", available, required)) }
+    })
 }
 
 /// Root mean square of torques, N·m, each with its duration, s; zero if no time passes.
@@ -132,11 +76,16 @@ pub fn rms_torque(samples: impl IntoIterator<Item = (f64, f64)>) -> f64 {
 /// Whether the motor becomes too hot: the losses in its windings grow with the square of the torque.
 pub fn check_rms(characteristic: &Characteristic, rms: f64) -> Option<MotorWarning> {
     let rated = characteristic.rated_torque;
-    (rms > rated).then_some(MotorWarning::RmsTorque { rms, rated })
+    (rms > rated).then(|| {
+        let excess = tenths(100.0 * (rms / rated - 1.0));
+        let unfit = Some(text!("motor-passed-hot", excess = &excess));
+        let [rms, rated] = [rms, rated].map(torque_of);
+        MotorWarning { text: text!("motor-rms-torque", rms, rated, excess), unfit }
+    })
 }
 
-/// Whether the rotor can be modeled.
-pub fn check_rotor_inertia(motor: &Motor) -> Option<MotorWarning> {
-    let designation = name(motor.designation.clone());
-    motor.rotor_inertia.is_none().then_some(MotorWarning::RotorInertiaUnknown { designation })
+/// Whether the rotor of a motor can be modeled: its moment of inertia is known.
+pub fn check_rotor_inertia(inertia: Option<f64>, designation: Text) -> Option<MotorWarning> {
+    let text = text!("motor-rotor-inertia-unknown", designation);
+    inertia.is_none().then_some(MotorWarning { text, unfit: None })
 }

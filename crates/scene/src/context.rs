@@ -5,9 +5,7 @@ use std::collections::BTreeSet;
 use assur_mechanism::{GROUND, Input, InputPair, Load, LoadId, LoadKind, Name};
 use assur_words::{Text, text};
 
-use crate::error::Fault;
 use crate::linkage::SceneLinks;
-use crate::text::shown;
 use crate::units::Dimension;
 use crate::walk::{Entry, Section};
 
@@ -64,8 +62,8 @@ impl Context<'_> {
 pub(crate) struct Sort {
     /// Its key in the scene.
     pub(crate) list: &'static str,
-    /// The name of one that has none of its own, by its number from 1 and the first link on which it acts.
-    pub(crate) unnamed: fn(usize, &Name) -> Text,
+    /// The identity of the name of one that has none of its own: with its number from 1 and the first link on which it acts.
+    pub(crate) unnamed: &'static str,
     /// Reads one from its section.
     pub(crate) one: fn(&Section<'_>, &Context<'_>, LoadId) -> Option<LoadKind>,
 }
@@ -89,18 +87,10 @@ impl Sort {
                 _ => scene.loads[id].kind.number(key),
             });
             let on = kind.as_ref().and_then(|kind| kind.links().next()).unwrap_or(GROUND);
-            let name = name(section, names, || (self.unnamed)(index + 1, &context.linkage.links[on].name));
+            let unnamed = || text!(self.unnamed, number = index + 1, link = &context.linkage.links[on].name);
+            let taken = |name: &Name| (!names.insert(name.to_string())).then_some("scene-two-loads");
+            let name = section.name(unnamed, taken);
             loads.extend(kind.map(|kind| Load { name, kind }));
         }
     }
-}
-
-/// The `name` of a load, or its default name.
-fn name(section: &Section<'_>, names: &mut BTreeSet<String>, default: impl FnOnce() -> Text) -> Name {
-    let (name, at) = section.name(default);
-    if !names.insert(name.to_string()) {
-        let fault = Fault::new(at, text!("scene-two-loads", name = shown(&name)));
-        section.faults.push(fault.label(text!("scene-own-name")));
-    }
-    name
 }

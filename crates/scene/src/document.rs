@@ -68,12 +68,12 @@ pub(crate) fn read_known<T>(
     if text.len() > MOST_BYTES {
         let size = text.len().div_ceil(1 << 20);
         let message = text!("scene-file-too-large", what = what, most = MOST_BYTES >> 20, size = size);
-        faults.push(Fault::new(0..0, message).label(text!("scene-right-file")));
+        faults.add(0..0, message, text!("scene-right-file"));
         return Err(faults.into_errors(file_name, ""));
     }
     if let Some(at) = excess(text) {
         let message = text!("scene-many-tables", what = what, most = MOST_TABLES);
-        faults.push(Fault::new(at..at + 1, message).label(text!("scene-one-too-many")));
+        faults.add(at..at + 1, message, text!("scene-one-too-many"));
         return Err(faults.into_errors(file_name, text));
     }
     let (document, syntax) = parsed(text);
@@ -103,11 +103,6 @@ pub(crate) fn parsed(text: &str) -> (Option<Spanned<DeTable<'_>>>, Vec<toml::de:
             (Some(document), errors)
         }
     }
-}
-
-/// The tables of a text without what is no TOML; of a text that makes too many none.
-pub(crate) fn recovered(text: &str) -> Spanned<DeTable<'_>> {
-    DeTable::parse_recoverable(if excess(text).is_some() { "" } else { text }).0
 }
 
 /// The first faults of the syntax, in the order of the file. A text without its closing quote is the last one: what follows

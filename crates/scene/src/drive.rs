@@ -6,10 +6,9 @@ use assur_mechanism::{
     CharacteristicKind, Drive, FlywheelPlace, Mechanism, Motion, MotorChoice, RatedMotor, Solve, Torque,
 };
 
-use assur_words::{name, text};
+use assur_words::{Text, name, text};
 
 use crate::context::Context;
-use crate::error::Fault;
 use crate::text::{brief, exclude, shown, such_as};
 use crate::units::Dimension;
 use crate::walk::{Entry, Section};
@@ -74,8 +73,7 @@ fn check_motion(section: &Section<'_>, motion: Option<&Motion>, context: &Contex
     if absent || matches!(motion, Some(Motion::Prescribed { .. })) {
         let message =
             if absent { text!("scene-drive-without-motion") } else { text!("scene-drive-of-prescribed") };
-        let label = text!("scene-kept-by-balance");
-        section.faults.push(Fault::new(section.span.clone(), message).label(label));
+        section.faults.add(section.span.clone(), message, text!("scene-kept-by-balance"));
     }
 }
 
@@ -83,24 +81,17 @@ fn check_motion(section: &Section<'_>, motion: Option<&Motion>, context: &Contex
 fn check_motor_keys(section: &Section<'_>, context: &Context<'_>) {
     let motor = section.get("motor");
     if motor.is_none() {
-        for entry in OF_THE_MOTOR.iter().filter_map(|key| section.get(key)) {
-            let message = text!("scene-key-of-motor", key = shown(&entry.name));
-            section.faults.push(Fault::new(entry.key, message).label(text!("scene-add-motor")));
-        }
+        section.refuse(&OF_THE_MOTOR, "scene-key-of-motor", &text!("scene-add-motor"));
         let on_motor = section.get("flywheel_on").filter(|entry| entry.value.as_str() == Some("motor"));
         if let Some(entry) = on_motor {
             entry.fault(text!("scene-flywheel-on-no-motor"), name("flywheel_on = \"crank\""));
         }
     }
     if let (None, Some(entry)) = (section.get("flywheel"), section.get("flywheel_on")) {
-        let fault = Fault::new(entry.key, text!("scene-no-flywheel"));
-        section.faults.push(fault.label(text!("scene-add-flywheel")));
+        section.faults.add(entry.key, text!("scene-no-flywheel"), text!("scene-add-flywheel"));
     }
     if context.coordinate() == Some(Dimension::Length) {
-        for entry in ["motor", "flywheel"].iter().filter_map(|key| section.get(key)) {
-            let message = text!("scene-input-slides", key = shown(&entry.name));
-            section.faults.push(Fault::new(entry.key, message));
-        }
+        section.refuse(&["motor", "flywheel"], "scene-input-slides", &Text::default());
     }
 }
 
@@ -129,8 +120,7 @@ fn check_unevenness(root: &Section<'_>, drive: Option<&Section<'_>>, motion: Opt
     if drive.filter(finds_flywheel).is_none_or(|drive| drive.get("motor").is_none())
         && let Some(entry) = root.get("motion")
     {
-        let message = text!("scene-unevenness-needs-motor");
-        root.faults.push(Fault::new(entry.key, message));
+        root.faults.add(entry.key, text!("scene-unevenness-needs-motor"), Text::default());
     }
 }
 
@@ -161,7 +151,8 @@ fn with_motor(section: &Section<'_>, entry: &Entry<'_>) -> Option<Torque> {
     let given = section.get("characteristic").and_then(|entry| entry.choice(CHARACTERISTICS));
     let mut characteristic = given.unwrap_or(CharacteristicKind::Kloss);
     if let Some(MotorChoice::Rated(rated)) = motor {
-        refuse_with_rated(section);
+        let of_catalogue = ["catalogue", "max_motor_speed"];
+        section.refuse(&of_catalogue, "scene-key-of-catalogue", &text!("scene-leave-it-out"));
         if rated.max_torque_ratio.is_none() {
             if given == Some(CharacteristicKind::Kloss) {
                 entry.fault(text!("scene-kloss-needs-ratio"), text!("scene-or-linear"));
@@ -171,14 +162,6 @@ fn with_motor(section: &Section<'_>, entry: &Entry<'_>) -> Option<Torque> {
     }
     let catalogue = catalogue.map(str::to_owned);
     Some(Torque::Motor { motor: motor?, catalogue, max_speed, characteristic })
-}
-
-/// Notes keys of a catalogue motor where the motor is given by its rated data.
-fn refuse_with_rated(section: &Section<'_>) {
-    for entry in ["catalogue", "max_motor_speed"].iter().filter_map(|key| section.get(key)) {
-        let message = text!("scene-key-of-catalogue", key = shown(&entry.name));
-        section.faults.push(Fault::new(entry.key, message).label(text!("scene-leave-it-out")));
-    }
 }
 
 fn motor(drive: &Section<'_>, entry: &Entry<'_>) -> Option<MotorChoice> {

@@ -12,6 +12,8 @@ use assur_mechanism::Key;
 use assur_words::Text;
 use toml::de::DeTable;
 
+use crate::scan::excess;
+
 pub(crate) use find::{place, within};
 pub use values::{SceneValue, bare};
 pub use values::{decimal, quoted, split};
@@ -33,9 +35,10 @@ pub struct ParsedText<'a> {
 }
 
 impl<'a> ParsedText<'a> {
-    /// Parses a text; parts that are not TOML are left out.
+    /// Parses a text; parts that are not TOML are left out, and all of a text that makes too many tables.
     pub fn of(text: &'a str) -> Self {
-        Self { text, table: crate::document::recovered(text) }
+        let few = if excess(text).is_some() { "" } else { text };
+        Self { text, table: DeTable::parse_recoverable(few).0 }
     }
 
     /// Finds the places of a key: one, or where it names several elements of a list all of them.

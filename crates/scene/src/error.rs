@@ -164,12 +164,17 @@ impl Faults {
         self.note(|| fault);
     }
 
+    /// Notes what is wrong in these bytes of the file, and a correction.
+    pub(crate) fn add(&self, span: Range<usize>, message: Text, label: Text) {
+        self.push(Fault::new(span, message).label(label));
+    }
+
     /// Notes a name or title that is too long; `span`: where it stands.
     pub(crate) fn check_name(&self, span: &Range<usize>, name: &str) {
         let count = name.chars().count();
         if count > LONGEST_NAME {
             let message = text!("scene-long-name", name = shown(name), count = count, most = LONGEST_NAME);
-            self.push(Fault::new(span.clone(), message).label(text!("scene-take-shorter")));
+            self.add(span.clone(), message, text!("scene-take-shorter"));
         }
     }
 

@@ -3,12 +3,10 @@
 use assur_mechanism::{Friction, GROUND, Middle, Motion, PairId, Surfaces};
 use assur_words::text;
 
-use crate::error::Fault;
 use crate::linkage::SceneLinks;
-use crate::reference;
 use crate::text::{row, shown, such_as};
 use crate::walk::{Entry, Section};
-use crate::wishes;
+use crate::{reference, wishes};
 
 /// The shortest length of contact, m: below it the moment of the guide is a couple of forces whose digits are lost.
 const LEAST_CONTACT: f64 = 1e-6;
@@ -18,8 +16,8 @@ pub(crate) fn read(root: &Section<'_>, linkage: &SceneLinks, motion: Option<&Mot
     if let (Some(Motion::Transient { .. } | Motion::Steady { .. }), Some(balance), Some(_)) =
         (motion, root.get("balance"), root.get("friction"))
     {
-        let fault = Fault::new(balance.key.clone(), text!("scene-friction-in-free-motion"));
-        balance.note(fault.label(text!("scene-friction-prescribed")));
+        let message = text!("scene-friction-in-free-motion");
+        root.faults.add(balance.key, message, text!("scene-friction-prescribed"));
     }
     let mut all: Vec<Friction> = Vec::new();
     for section in root.inners("friction") {

@@ -5,7 +5,6 @@ use assur_mechanism::{GROUND, Inertia, Input, Key, LinkId, Mechanism, Motion, Un
 use assur_words::{Text, name, text};
 
 use crate::edit::within;
-use crate::error::Fault;
 use crate::linkage::SceneLinks;
 use crate::text::{brief, shown};
 use crate::units::Dimension;
@@ -37,8 +36,8 @@ fn formula(linkage: &SceneLinks, id: LinkId, link: &Section<'_>) -> Option<Inert
     if let Some(switch) = formula.switches().first() {
         let function = shown(&formula.text()[switch.span.clone()]);
         let message = text!("scene-inertia-not-smooth", function = function);
-        let fault = Fault::new(within_text(&entry, formula.text(), &switch.span), message);
-        entry.note(fault.label(text!("scene-inertia-smooth")));
+        let span = within_text(&entry, formula.text(), &switch.span);
+        entry.faults.add(span, message, text!("scene-inertia-smooth"));
     }
     let pinned = linkage.points.iter().any(|point| {
         let stands = |link| point.places.iter().any(|place| place.link == link);
@@ -63,10 +62,8 @@ pub(crate) fn refuse_impossible(root: &Section<'_>, mechanism: &Mechanism) {
         let message = text!("scene-inertia-not-positive", value = value, at = rounded(at));
         let key = Key::of("link").at(&link.name).at("inertia");
         if let Ok(inertia) = within(root.table(), key.steps()) {
-            root.faults.push(
-                Fault::new(inertia.span(), message)
-                    .label(text!("scene-inertia-positive", most = name(format!("{most:e} kg*m^2")))),
-            );
+            let label = text!("scene-inertia-positive", most = name(format!("{most:e} kg*m^2")));
+            root.faults.add(inertia.span(), message, label);
         }
     }
 }

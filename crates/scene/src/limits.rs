@@ -4,7 +4,6 @@ use assur_mechanism::{MOST_LINKS, MOST_LOADS, MOST_PLACES, MOST_SLIDES};
 use assur_words::{Text, text};
 use toml::de::DeValue;
 
-use crate::error::Fault;
 use crate::loads::SORTS;
 use crate::walk::{Entry, Section};
 
@@ -44,6 +43,6 @@ fn refuse(root: &Section<'_>, mut all: Vec<Entry<'_>>, most: usize, message: &'s
     }
     all.sort_unstable_by_key(|part| part.key.start);
     let message = text!(message, most = most, count = all.len());
-    root.faults.push(Fault::new(all[most].key.clone(), message).label(text!("scene-one-too-many")));
+    root.faults.add(all[most].key.clone(), message, text!("scene-one-too-many"));
     true
 }

@@ -26,7 +26,7 @@ pub(crate) struct SceneLinks {
     names: HashMap<String, PointId>,
     links_by_name: HashMap<String, LinkId>,
     /// Names of the slides.
-    slide_names: HashSet<String>,
+    pub(crate) slide_names: HashSet<String>,
     /// Where in the file a point has its place on a link.
     written: HashMap<(PointId, LinkId), Range<usize>>,
     /// Whether some coordinate of a moving link is written with a unit.
@@ -51,11 +51,6 @@ impl SceneLinks {
         self.links_by_name.entry(link.name.to_string()).or_insert(id);
         self.links.push(link);
         id
-    }
-
-    /// Adds the name of a slide; whether no other slide has it.
-    pub(crate) fn add_slide_name(&mut self, name: &str) -> bool {
-        self.slide_names.insert(name.to_owned())
     }
 
     /// The moving link named by an entry.

@@ -7,12 +7,10 @@ use assur_mechanism::{
 use assur_words::{Text, joined, text};
 
 use crate::edit::place;
-use crate::error::Fault;
-use crate::inertia;
 use crate::linkage::{SceneLinks, coordinates};
-use crate::reference;
 use crate::text::{is_unprintable, row, shown, such_as};
 use crate::walk::{Entry, Section};
+use crate::{inertia, reference};
 
 /// Reads the ground and the links; returns the first point of each link as well.
 pub(crate) fn read(root: &Section<'_>) -> (SceneLinks, Vec<Option<PointId>>) {
@@ -48,7 +46,7 @@ pub(crate) fn refuse_points(root: &Section<'_>, linkage: &SceneLinks) {
         let pins = row(linkage.points.iter().filter(on_link).map(|pin| pin.name.as_str()));
         let message = text!("scene-no-length", link = shown(link), pins = pins);
         if let Some(span) = place(root.table(), Key::of("link").at(link).steps()) {
-            root.faults.push(Fault::new(span, message).label(text!("scene-give-length")));
+            root.faults.add(span, message, text!("scene-give-length"));
         }
     }
 }
@@ -69,8 +67,7 @@ fn add_link<'a>(
     }
     if entry.name == "moment" {
         // In results the moment of a slide is listed beside the forces on its links, under this name.
-        let fault = Fault::new(entry.key.clone(), text!("scene-link-moment"));
-        entry.faults.push(fault.label(text!("scene-results-use-it")));
+        entry.faults.add(entry.key.clone(), text!("scene-link-moment"), text!("scene-results-use-it"));
     }
     let id = linkage.add_link(massless(entry.name.as_str().into()));
     firsts.push(None);
@@ -97,8 +94,8 @@ fn add_points(linkage: &mut SceneLinks, entry: &Entry<'_>, link: LinkId) -> Opti
 fn check_name(entry: &Entry<'_>, message: &'static str) {
     let name = &entry.name;
     if name.trim().is_empty() || name.contains('.') || name.chars().any(is_unprintable) {
-        let fault = Fault::new(entry.key.clone(), text!(message, name = shown(name)));
-        entry.faults.push(fault.label(text!("scene-what-is-a-name")));
+        let message = text!(message, name = shown(name));
+        entry.faults.add(entry.key.clone(), message, text!("scene-what-is-a-name"));
     }
     entry.faults.check_name(&entry.key, name);
 }
@@ -175,9 +172,13 @@ fn one(section: &Section<'_>, linkage: &mut SceneLinks, firsts: &[Option<PointId
         entry.fault(message, text!("scene-another-link"));
     }
     let default = joined("/", [link, on].map(|link| Text::from(&linkage.links[link].name)));
-    let name = name(section, linkage, default);
+    let taken = |name: &Name| {
+        let pin = linkage.point_named(name).is_some_and(|point| linkage.points[point].is_pin());
+        let is_new = linkage.slide_names.insert(name.to_string());
+        pin.then_some("scene-pin-and-slide").or_else(|| (!is_new).then_some("scene-two-slides"))
+    };
     Some(Slide {
-        name,
+        name: section.name(|| default, taken),
         link,
         on,
         point: point.unwrap_or_default(),
@@ -190,15 +191,4 @@ fn one(section: &Section<'_>, linkage: &mut SceneLinks, firsts: &[Option<PointId
 /// The point of a slide in a mechanism.
 fn point_of(slide: SlideId) -> impl Fn(&mut Mechanism) -> Option<&mut [f64; 2]> {
     move |scene| Some(&mut scene.slides[slide].point)
-}
-
-fn name(section: &Section<'_>, linkage: &mut SceneLinks, default: Text) -> Name {
-    let (name, at) = section.name(|| default);
-    let is_pin = linkage.point_named(&name).is_some_and(|point| linkage.points[point].is_pin());
-    if !linkage.add_slide_name(&name) || is_pin {
-        let message = if is_pin { "scene-pin-and-slide" } else { "scene-two-slides" };
-        let fault = Fault::new(at, text!(message, name = shown(&name)));
-        section.faults.push(fault.label(text!("scene-own-name")));
-    }
-    name
 }

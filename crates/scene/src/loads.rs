@@ -39,15 +39,11 @@ pub(crate) fn read(root: &Section<'_>, context: &Context<'_>) -> Vec<Load> {
 
 /// The sorts of loads, in the order of the mechanism.
 pub(crate) const SORTS: [Sort; 5] = [
-    Sort { list: "force", unnamed: |number, link| text!("scene-unnamed-force", number, link), one: force },
-    Sort { list: "moment", unnamed: |number, link| text!("scene-unnamed-moment", number, link), one: moment },
-    Sort { list: "brake", unnamed: |number, link| text!("scene-unnamed-brake", number, link), one: brake },
-    Sort { list: "spring", unnamed: |number, _| text!("scene-unnamed-spring", number), one: spring },
-    Sort {
-        list: "contact",
-        unnamed: |number, link| text!("scene-unnamed-contact", number, link),
-        one: contact,
-    },
+    Sort { list: "force", unnamed: "scene-unnamed-force", one: force },
+    Sort { list: "moment", unnamed: "scene-unnamed-moment", one: moment },
+    Sort { list: "brake", unnamed: "scene-unnamed-brake", one: brake },
+    Sort { list: "spring", unnamed: "scene-unnamed-spring", one: spring },
+    Sort { list: "contact", unnamed: "scene-unnamed-contact", one: contact },
 ];
 
 fn force(section: &Section<'_>, context: &Context<'_>, id: LoadId) -> Option<LoadKind> {

@@ -8,8 +8,7 @@ use assur_words::{Text, name as words, number, text};
 
 use crate::context::Context;
 use crate::error::Fault;
-use crate::reference::Bound;
-use crate::reference::table;
+use crate::reference::{Bound, table};
 use crate::text::{brief, did_you_mean, shown, such_as};
 use crate::units::{Dimension, UnitFault, is_bare, measures, quantity};
 use crate::walk::{Entry, Section};
@@ -148,8 +147,8 @@ fn time_or_way(entry: &Entry<'_>, context: &Context<'_>, wanted: &'static str) -
 
 fn steady(section: &Section<'_>, context: &Context<'_>) -> Option<Motion> {
     if context.has_no_cycle() {
-        let fault = Fault::new(section.span.clone(), text!("scene-steady-without-cycle"));
-        section.faults.push(fault.label(text!("scene-give-a-cycle")));
+        let message = text!("scene-steady-without-cycle");
+        section.faults.add(section.span.clone(), message, text!("scene-give-a-cycle"));
     }
     // A wrong one is given, too: it is not missing then.
     let wrong = section.get("unevenness").map(|_| Solve::Given(0.0));

@@ -23,7 +23,7 @@ pub(crate) fn excess(text: &str) -> Option<usize> {
         is_line_start = byte == b'\n' || is_line_start && byte.is_ascii_whitespace();
         match byte {
             b'#' => {
-                at = end_of_line(bytes, at);
+                at += bytes[at..].iter().position(|byte| *byte == b'\n').unwrap_or(bytes.len() - at);
                 continue;
             }
             b'"' | b'\'' => {
@@ -49,10 +49,6 @@ pub(crate) fn excess(text: &str) -> Option<usize> {
         at += 1;
     }
     None
-}
-
-fn end_of_line(bytes: &[u8], from: usize) -> usize {
-    bytes[from..].iter().position(|byte| *byte == b'\n').map_or(bytes.len(), |length| from + length)
 }
 
 /// The place after a text in quotes; one that is not closed ends with its line, or with the file where it may have several.

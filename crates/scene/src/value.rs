@@ -9,8 +9,7 @@ use assur_words::{Describe, Text, joined, number, text, unit};
 
 use crate::context::Context;
 use crate::error::Fault;
-use crate::reference::Bound;
-use crate::reference::table;
+use crate::reference::{Bound, table};
 use crate::text::{brief, in_quotes, rounded, shown, such_as};
 use crate::units::{Dimension, quantity, within};
 use crate::walk::{Entry, Known, Section};
@@ -154,18 +153,16 @@ pub(crate) fn formula_with_unit<'a>(
                 .ok()?
         }
     };
-    let formula = Formula::read(text).map_err(|error| misread(&entry, text, &error)).ok()?;
+    let misread = |error: FormulaError| {
+        entry.note(Fault::new(within_text(&entry, text, &error.span), error.describe()));
+    };
+    let formula = Formula::read(text).map_err(misread).ok()?;
     if let Some(function) = formula.takes_degrees() {
         entry
             .faults
             .mistake(entry.span.clone(), text!("scene-degrees-in-formula", function = shown(function)));
     }
     Some((entry, formula, factor))
-}
-
-/// Notes a fault of a formula at its place in the file.
-fn misread(entry: &Entry<'_>, text: &str, error: &FormulaError) {
-    entry.note(Fault::new(within_text(entry, text, &error.span), error.describe()));
 }
 
 /// The place in the file of a part of a text, where the text stands there as it is; else of the whole text.

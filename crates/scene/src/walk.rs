@@ -13,7 +13,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use crate::error::{Fault, Faults};
-use crate::reference::{KeyDefault, KeyTable, SceneKey, ValueKind, table};
+use crate::reference::{self, KeyDefault, KeyTable, SceneKey, ValueKind};
 use crate::text::{did_you_mean, in_quotes, is_unprintable, nearest, row, shown};
 use crate::units::Dimension;
 
@@ -59,7 +59,7 @@ impl Known {
             None if !elsewhere.is_empty() => {
                 text!("scene-key-elsewhere", tables = name(elsewhere.join(", ")))
             }
-            None if KeyTable::is_of_the_file(word) => text!("scene-key-at-top"),
+            None if reference::table("").key(word).is_some() => text!("scene-key-at-top"),
             near => did_you_mean(word, near),
         }
     }
@@ -129,7 +129,7 @@ impl<'a> Section<'a> {
     fn table_of(&self, key: &str) -> Option<&'static KeyTable> {
         let header =
             |kind: &ValueKind| if let ValueKind::Table(header) = kind { Some(*header) } else { None };
-        self.known(key)?.kinds.iter().find_map(header).map(table)
+        self.known(key)?.kinds.iter().find_map(header).map(reference::table)
     }
 
     /// The table of a key, if it is present.
@@ -194,15 +194,30 @@ impl<'a> Section<'a> {
         self.faults.tell(|told| told.slots(self.table, "", sign, &Arc::new(slot)));
     }
 
-    /// Its key `name`, or else the default name; and where a fault of the name is noted.
-    pub(crate) fn name(&self, default: impl FnOnce() -> Text) -> (Name, Range<usize>) {
+    /// Its key `name`, or else the default name; `taken`: the identity of what is said of a name that something else has.
+    pub(crate) fn name(
+        &self,
+        default: impl FnOnce() -> Text,
+        taken: impl FnOnce(&Name) -> Option<&'static str>,
+    ) -> Name {
         let entry = self.get("name");
         let given = entry.as_ref().and_then(|entry| entry.text(text!("scene-a-name")));
         let name = given.map_or_else(|| default().into(), Name::from);
         if let Some(entry) = &entry {
             self.faults.check_name(&entry.span, &name);
         }
-        (name, entry.map_or(self.span.clone(), |entry| entry.span))
+        if let Some(message) = taken(&name) {
+            let at = entry.map_or(self.span.clone(), |entry| entry.span);
+            self.faults.add(at, text!(message, name = shown(&name)), text!("scene-own-name"));
+        }
+        name
+    }
+
+    /// Notes those of some keys that are there, though they have no effect; `message`: its identity.
+    pub(crate) fn refuse(&self, keys: &[&str], message: &'static str, label: &Text) {
+        for entry in keys.iter().filter_map(|key| self.get(key)) {
+            self.faults.add(entry.key, text!(message, key = shown(&entry.name)), label.clone());
+        }
     }
 
     /// The value of a required key; a missing one is noted as a fault.
@@ -243,7 +258,7 @@ impl<'a> Entry<'a> {
 
     /// Notes a fault of the value.
     pub fn fault(&self, message: impl Into<Text>, label: impl Into<Text>) {
-        self.faults.push(Fault::new(self.span.clone(), message).label(label));
+        self.faults.add(self.span.clone(), message.into(), label.into());
     }
 
     /// Notes a fault of the value that is said behind the name of its key.

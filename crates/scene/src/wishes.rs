@@ -19,14 +19,11 @@ pub(crate) fn assembly(root: &Section<'_>, linkage: &SceneLinks) -> Vec<(PointId
     let read = |(index, hint): (usize, &Entry<'_>)| {
         let span = hint.span.clone();
         hint.faults.tell(|told| told.place([span], move |scene| Some(&mut scene.assembly.get_mut(index)?.1)));
-        Some((hinted(hint, linkage)?, pair(hint, &name("[x, y]"), Dimension::Length)?))
+        let at_key = Entry { name: "assembly".to_owned(), span: hint.key.clone(), ..hint.clone() };
+        let point = linkage.point_of(&at_key, &hint.name)?;
+        Some((point, pair(hint, &name("[x, y]"), Dimension::Length)?))
     };
     hints.iter().enumerate().filter_map(read).collect()
-}
-
-fn hinted(hint: &Entry<'_>, linkage: &SceneLinks) -> Option<PointId> {
-    let at_key = Entry { name: "assembly".to_owned(), span: hint.key.clone(), ..hint.clone() };
-    linkage.point_of(&at_key, &hint.name)
 }
 
 /// Reads `[balance]`: the load that maintains the motion, if it does not act on the input.

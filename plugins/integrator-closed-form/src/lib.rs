@@ -4,9 +4,9 @@
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
 use assur_integrator::{
-    Attempt, Cost, CountedEquation, Dense, Dependence, EquationOfMotion, IntegrationError, Integrator,
-    IntegratorPlugin, Knob, MotionError, Node, Pace, Request, State, Step, Stepper, Steps, Suitability,
-    Trajectory, inventory,
+    Attempt, Cost, CountedEquation, Dependence, EquationOfMotion, IntegrationError, Integrator,
+    IntegratorPlugin, Knob, MotionError, Pace, Request, State, Step, Stepper, Steps, Suitability, Trajectory,
+    inventory,
 };
 use assur_words::{Describe, Text, number, text};
 
@@ -55,10 +55,6 @@ impl Stepper for Parabola {
 
     fn finish(&mut self, _: &mut CountedEquation<'_>, _: &State) -> Result<f64, MotionError> {
         Ok(self.acceleration)
-    }
-
-    fn dense(&mut self, _: &mut CountedEquation<'_>, from: &Node, to: &Node) -> Result<Dense, MotionError> {
-        Ok(Dense::parabola(from, to.state.time - from.state.time))
     }
 }
 

@@ -6,8 +6,7 @@ use assur_integrator::{
 };
 use assur_words::text;
 
-use crate::clock::{Clock, Rests};
-use crate::clock::{EnergyPanel, Values, factor};
+use crate::clock::{Clock, EnergyPanel, Rests, Values, factor};
 
 /// If a turning point is nearer to the start than this part of the panel, the panel is fitted again with that length.
 const TOO_NEAR: f64 = 0.2;

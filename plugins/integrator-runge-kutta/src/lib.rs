@@ -3,8 +3,8 @@
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
 use assur_integrator::{
-    Attempt, Cost, CountedEquation, Dense, IntegratorPlugin, Knob, MotionError, Node, Pace, State, Step,
-    Stepper, Steps, Suitability, inventory,
+    Attempt, Cost, IntegratorPlugin, Knob, MotionError, Pace, State, Step, Stepper, Steps, Suitability,
+    inventory,
 };
 use assur_words::text;
 
@@ -58,10 +58,6 @@ impl Stepper for Classical {
             speed: start.speed + h / 6.0 * (a1 + 2.0 * (a2 + a3) + a4),
         };
         Ok(Attempt { end, error: 0.0 })
-    }
-
-    fn dense(&mut self, _: &mut CountedEquation<'_>, from: &Node, to: &Node) -> Result<Dense, MotionError> {
-        Ok(Dense::hermite(from, to))
     }
 }
 

@@ -4,8 +4,7 @@
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
 use assur_integrator::{
-    Attempt, Cost, CountedEquation, Dense, IntegratorPlugin, Knob, MotionError, Node, Pace, Step, Stepper,
-    Steps, Suitability, inventory,
+    Attempt, Cost, IntegratorPlugin, Knob, MotionError, Pace, Step, Stepper, Steps, Suitability, inventory,
 };
 use assur_words::text;
 
@@ -40,10 +39,6 @@ impl Stepper for Interval {
 
     fn attempt(&mut self, step: Step<'_, '_>) -> Result<Attempt, MotionError> {
         Ok(Attempt { end: step.from.advanced(step.length), error: 0.0 })
-    }
-
-    fn dense(&mut self, _: &mut CountedEquation<'_>, from: &Node, to: &Node) -> Result<Dense, MotionError> {
-        Ok(Dense::parabola(from, to.state.time - from.state.time))
     }
 }
 

@@ -99,7 +99,7 @@ fn structure_of(args: &StructureArgs, style: Style) -> Result<(StructureStudy, S
             let linkage = scene::linkage(&session)?;
             let mut study = StructureStudy::of(&linkage);
             if args.modes {
-                study.add_modes(&linkage);
+                study.modes = assur_analysis::modes(&linkage);
             }
             (study, Some(linkage), None)
         }

@@ -106,7 +106,7 @@ pub(super) fn reactions(found: &Calculation, to: &mut impl Sink) {
             }
             to.put(section, Column::vector(Quantity::Force, Owner::PairOn(pair, *link)), |rows| {
                 let (joints, reactions, _) = rows.reactions?;
-                let force = joints.of(index).force(nth, reactions);
+                let force = joints.of(index).joint.force(nth, &reactions.pairs);
                 Some((force, rows.known(force[1], rows.given(index, nth)?)))
             });
         }
@@ -117,13 +117,13 @@ pub(super) fn reactions(found: &Calculation, to: &mut impl Sink) {
             let known = |rows: &Rows<'_>, moment, nth| Some(rows.known(moment, rows.given(index, nth)?));
             to.put(section, [Column::of(Quantity::Moment, Owner::Pair(pair))], |rows| {
                 let (joints, reactions, _) = rows.reactions?;
-                let moment = joints.of(index).moment(reactions)?;
+                let moment = joints.of(index).joint.moment(&reactions.pairs)?;
                 Some(([moment], known(rows, moment, links.len())?))
             });
             let offset = to.section(false);
             to.put(offset, [Column::of(Quantity::Offset, Owner::Pair(pair))], |rows| {
                 let (joints, reactions, _) = rows.reactions?;
-                let moment = joints.of(index).moment(reactions)?;
+                let moment = joints.of(index).joint.moment(&reactions.pairs)?;
                 let normal = joints.of(index).normal(reactions, rows.position)?;
                 let least =
                     rows.greatest_force.get_or_init(|| joints.greatest(reactions)).map(|of| LEAST_FORCE * of);
@@ -175,7 +175,8 @@ impl<'a> Rows<'a> {
     /// Lanes in which the force of a pin or slide on one of its links is determined, or, after the links, the moment of a slide.
     fn given(&self, joint: usize, nth: usize) -> Option<[bool; Lanes::WIDTH]> {
         let (joints, reactions, determined) = self.reactions?;
-        let open = joints.of(joint).open(reactions).get(nth).filter(|_| !self.calculation.least_norm);
+        let open =
+            joints.of(joint).joint.open(&reactions.open).get(nth).filter(|_| !self.calculation.least_norm);
         let is_given = |open: &Lanes| std::array::from_fn(|lane| determined[lane] && open.0[lane] == 0.0);
         Some(open.map_or(determined, is_given))
     }

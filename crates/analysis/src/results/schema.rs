@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use assur_mechanism::{LinkId, Mechanism, Name, PairId};
+use assur_mechanism::{Mechanism, Name, PairId};
 
 use super::{Column, Owner, Quantity};
 
@@ -28,10 +28,12 @@ pub struct Schema {
     /// Sections of which a row says where it lacks them.
     nullable: Vec<Section>,
     places: HashMap<Column, usize>,
-    links: Vec<Name>,
+    /// Names of the links.
+    pub links: Vec<Name>,
     points: Vec<Name>,
     slides: Vec<Name>,
-    loads: Vec<(Name, &'static str)>,
+    /// The loads of the scene: their names, and in which SI units they are.
+    pub loads: Vec<(Name, &'static str)>,
     /// Names of the further forces of the analyzer.
     pub further: Vec<Name>,
     /// Whether the coordinate is an angle (rad), otherwise a displacement (m).
@@ -135,20 +137,5 @@ impl Schema {
             Owner::Group(group) => group.to_string().into(),
             owner => self.named(owner).map_or("", Name::as_str).into(),
         }
-    }
-
-    /// How many loads the scene has.
-    pub fn loads(&self) -> usize {
-        self.loads.len()
-    }
-
-    /// The name of a link.
-    pub fn link(&self, link: LinkId) -> &Name {
-        &self.links[link]
-    }
-
-    /// The SI unit of a load.
-    pub fn unit_of_load(&self, load: usize) -> &'static str {
-        self.loads[load].1
     }
 }

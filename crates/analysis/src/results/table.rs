@@ -86,13 +86,6 @@ impl Table {
         &mut self.columns[column]
     }
 
-    /// Adds columns with their numbers under an extended schema, which has the present columns in front.
-    pub(crate) fn extend(&mut self, schema: Schema, columns: Vec<Vec<f64>>, present: Vec<Vec<bool>>) {
-        self.columns.extend(columns);
-        self.present.extend(present);
-        self.schema = Arc::new(schema);
-    }
-
     /// Adds the columns of another table, with its numbers in the rows of the same number; all its columns are ones that
     /// some rows lack.
     pub(crate) fn join(&mut self, other: &Self) {
@@ -109,8 +102,9 @@ impl Table {
         let values = |values: &Vec<f64>| rows.iter().map(|row| row.map_or(0.0, |row| values[row])).collect();
         let present =
             |present: &Vec<bool>| rows.iter().map(|row| row.is_some_and(|row| present[row])).collect();
-        let columns = other.columns.iter().map(values).collect();
-        self.extend(schema, columns, other.present[1..].iter().map(present).collect());
+        self.columns.extend(other.columns.iter().map(values));
+        self.present.extend(other.present[1..].iter().map(present));
+        self.schema = Arc::new(schema);
     }
 
     /// The columns.

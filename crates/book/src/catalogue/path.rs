@@ -31,7 +31,7 @@ fn owner(schema: &Schema, column: Column) -> Cow<'_, str> {
 
 /// The name of the link on which a force acts.
 fn link(schema: &Schema, column: Column) -> &str {
-    if let Owner::PairOn(_, link) = column.owner { schema.link(link) } else { "" }
+    if let Owner::PairOn(_, link) = column.owner { &schema.links[link] } else { "" }
 }
 
 /// Where a column stands in the object of a row; `None` where JSON does not have it. The share of a cause stands under the

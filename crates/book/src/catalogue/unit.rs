@@ -154,7 +154,7 @@ pub fn unit(schema: &Schema, column: Column) -> Unit {
         Measure::Power if schema.find(Column::of(Quantity::Velocity, Owner::Input)).is_some() => Unit::POWER,
         Measure::OnInput | Measure::Power => Unit::load(angular),
         Measure::Load => match column.owner {
-            Owner::Load(load) => Unit::si(schema.unit_of_load(load)),
+            Owner::Load(load) => Unit::si(schema.loads[load].1),
             _ => Unit::FORCE,
         },
     }

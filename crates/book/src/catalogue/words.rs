@@ -85,7 +85,7 @@ pub fn short(schema: &Schema, column: Column) -> Text {
             let primes = "'".repeat(order.into());
             name(if symbol.is_empty() { own() + &primes } else { format!("{}.{symbol}{primes}", own()) })
         }
-        (_, Owner::PairOn(_, link)) => dotted(format!("{}>{}", own(), schema.link(link)), &symbol),
+        (_, Owner::PairOn(_, link)) => dotted(format!("{}>{}", own(), schema.links[link]), &symbol),
         (Quantity::Work | Quantity::ReducedLoad, Owner::Input | Owner::Link(_)) => kind(column),
         (Quantity::InertiaForce | Quantity::InertiaMoment, _) => {
             spaced([name(own()), kind(column), name(symbol)])

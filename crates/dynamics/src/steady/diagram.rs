@@ -14,8 +14,7 @@
 
 use assur_words::text;
 
-use super::path::{Coefficients, PathPanel};
-use super::path::{RULE, S, Values};
+use super::path::{Coefficients, PathPanel, RULE, S, Values};
 use super::regime::FlywheelByMethod;
 use super::solution::{Stretch, extremes};
 use super::tuning::{Tuned, TuningTarget};
@@ -70,8 +69,8 @@ impl WorkDiagram {
                     .values(|c| c.moment_at(self.speed) + self.mean_moment - k * c.slope),
             }
         };
-        let pieces: Vec<Stretch> = self.panels.iter().zip(&self.work).map(piece).collect();
-        extremes(&pieces).map_or([0.0; 2], |[least, greatest]| [least.value, greatest.value])
+        let found = extremes(self.panels.iter().zip(&self.work).map(piece));
+        found.map_or([0.0; 2], |[least, greatest]| [least.value, greatest.value])
     }
 
     /// max ΔA - min ΔA, J.

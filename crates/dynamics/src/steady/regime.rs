@@ -6,9 +6,9 @@ use assur_words::Text;
 use serde::Serialize;
 
 use super::path::Values;
-use super::solution::{CycleSolution, Extreme, Iteration, RegimeState};
-use super::tuning::{Trial, Tuned};
-use crate::drive::{InputDrive, TorqueSource};
+use super::solution::{CycleSolution, Iteration, RegimeState};
+use super::tuning::Trial;
+use crate::InputDrive;
 
 /// The figures of a periodic regime. Speeds and coordinates have the signs of the coordinate; "least" and "greatest"
 /// speed are meant without the sign, so that a machine that runs clockwise is the mirror image of one that does not.
@@ -100,48 +100,6 @@ pub struct Regime {
 }
 
 impl Regime {
-    /// Without what the solution does not tell; `flywheel_wanted`: whether the unevenness was to be met by a flywheel.
-    pub(crate) fn new(tuned: Tuned, required_power: f64, flywheel_wanted: bool) -> Self {
-        let Tuned { unknowns, solution, range, trials } = tuned;
-        let (cycle, drive) = (solution.cycle, solution.setup.drive);
-        let (low, high) = (range.least, range.greatest);
-        let energy = |at: &Extreme| solution.segments[at.piece].energy_at(at.theta);
-        let angle = (high.at.x - low.at.x).rem_euclid(cycle.length);
-        // Past the end of the cycle the energy starts again, with the small change that a cycle may leave.
-        let excess_work = energy(&high.at) - energy(&low.at);
-        let (times, cycle_time) = solution.times();
-        Self {
-            flywheel: unknowns.flywheel,
-            flywheel_needless: flywheel_wanted && unknowns.flywheel == 0.0,
-            drive_inertia: drive.inertia,
-            figures: Figures {
-                ratio: unknowns.ratio(),
-                mean_speed: cycle.sense * range.mean(),
-                unevenness: range.unevenness(),
-                speed_min: cycle.sense * low.value,
-                speed_max: cycle.sense * high.value,
-                coordinate_at_min: cycle.coordinate(low.at.x.rem_euclid(cycle.length)),
-                coordinate_at_max: cycle.coordinate(high.at.x.rem_euclid(cycle.length)),
-                excess_work,
-                dynamic_unevenness: Some(2.0 * range.unevenness() / angle).filter(|value| value.is_finite()),
-                required_power,
-                torque: if let TorqueSource::Constant(moment) = drive.source { Some(moment) } else { None },
-            },
-            mean_resistance: 0.0,
-            resistance_work: 0.0,
-            cycle_time,
-            multiplier: solution.multiplier(),
-            flywheel_by_method: Vec::new(),
-            trials,
-            iterations: Vec::new(),
-            effort: Effort::default(),
-            error_of_moments: 0.0,
-            solution,
-            first: None,
-            times,
-        }
-    }
-
     /// The drive as it was found: an equation of motion with it has this regime.
     pub fn drive(&self) -> InputDrive {
         self.solution.setup.drive

@@ -1,10 +1,8 @@
 //! One cycle from a given kinetic energy: collocation on each panel by Newton's method, with the derivatives of the
 //! energy with respect to its initial value, the drive and the flywheel (variational equation).
 
-use super::path::{Coefficients, NodalCoefficients, Path, PathPanel};
-use super::path::{RULE, S, Values};
-use super::segment::{Failure, Moment, Start, solve};
-use super::segment::{Segment, Setup};
+use super::path::{Coefficients, NodalCoefficients, Path, PathPanel, RULE, S, Values};
+use super::segment::{Failure, Moment, Segment, Setup, Start, solve};
 use super::solution::CycleSolution;
 use crate::DynamicsError;
 

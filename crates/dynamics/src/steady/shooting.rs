@@ -57,8 +57,7 @@ impl Shooting<'_> {
             values: panel.coefficients.values(|node| node.inertia + setup.drive.inertia),
             slopes: panel.coefficients.values(|node| node.slope),
         };
-        let pieces: Vec<Stretch> = self.panels.iter().map(piece).collect();
-        let Some([least, greatest]) = extremes(&pieces) else { return Ok(()) };
+        let Some([least, greatest]) = extremes(self.panels.iter().map(piece)) else { return Ok(()) };
         if least.value > NOTHING * greatest.value {
             return Ok(());
         }

@@ -76,8 +76,7 @@ impl CycleSolution {
             values: segment.half_squares(drive),
             slopes: segment.accelerations(drive),
         };
-        let pieces: Vec<Stretch> = self.segments.iter().map(piece).collect();
-        let [least, greatest] = extremes(&pieces)?;
+        let [least, greatest] = extremes(self.segments.iter().map(piece))?;
         Some(SpeedRange { least: self.extreme_speed(least), greatest: self.extreme_speed(greatest) })
     }
 
@@ -209,9 +208,9 @@ pub(crate) struct Extreme {
 }
 
 /// Least and greatest value; ends of panels, where the derivative may jump, included. Of equal values the first.
-pub(crate) fn extremes(pieces: &[Stretch]) -> Option<[Extreme; 2]> {
+pub(crate) fn extremes(pieces: impl Iterator<Item = Stretch>) -> Option<[Extreme; 2]> {
     let mut found: Option<[Extreme; 2]> = None;
-    for (index, piece) in pieces.iter().enumerate() {
+    for (index, piece) in pieces.enumerate() {
         let at =
             |theta: f64, value: f64| Extreme { piece: index, theta, x: piece.x + theta * piece.h, value };
         let between = |theta: f64| at(theta, RULE.interpolate(&piece.values, theta));

@@ -4,12 +4,11 @@ use assur_integrator::EquationOfMotion;
 use assur_words::text;
 
 use super::diagram::WorkDiagram;
-use super::path::RULE;
-use super::path::{CyclePath, Path, PathPanel};
-use super::regime::{CycleRequest, DriveRequest, Effort, Regime, TorqueRequest};
+use super::path::{CyclePath, Path, PathPanel, RULE};
+use super::regime::{CycleRequest, DriveRequest, Effort, Figures, Regime, TorqueRequest};
 use super::segment::Setup;
 use super::shooting::Shooting;
-use super::solution::{Closing, CycleSolution, Iteration};
+use super::solution::{Closing, CycleSolution, Extreme, Iteration, SpeedRange};
 use super::tuning::{Tuned, Tuner, TuningTarget, Unknowns, working_ratio, working_speed};
 use crate::DynamicsError;
 use crate::drive::TorqueSource;
@@ -140,21 +139,30 @@ impl<'a> RegimeSolver<'a> {
             _ => 1.0,
         };
         let flywheel_by_method = self.diagram.flywheels(&tuned, &target, self.request.constant_inertia);
-        let required_power = self.required_power(efficiency);
+        let Tuned { unknowns, solution, range, trials } = tuned;
+        let (times, cycle_time) = solution.times();
         Ok(Regime {
             mean_resistance: self.mean_resistance(),
             resistance_work: self.resistance_work(),
-            flywheel_by_method,
-            first,
-            iterations,
+            cycle_time,
+            multiplier: solution.multiplier(),
+            drive_inertia: solution.setup.drive.inertia,
+            flywheel_needless: target.unevenness.is_some() && unknowns.flywheel == 0.0,
             effort: Effort {
                 cycles: self.shooting.cycles,
                 evaluations: self.shooting.path.evaluations,
                 panels: self.shooting.panels.len(),
                 residual: misses.residual,
             },
+            iterations,
+            trials,
+            flywheel: unknowns.flywheel,
+            figures: figures(&unknowns, &solution, &range, self.required_power(efficiency)),
+            flywheel_by_method,
             error_of_moments: OFF_THE_MIDDLE * misses.moment,
-            ..Regime::new(tuned, required_power, target.unevenness.is_some())
+            solution,
+            first,
+            times,
         })
     }
 
@@ -304,5 +312,34 @@ impl<'a> RegimeSolver<'a> {
         let least = 1e-3 * (self.diagram.mean_inertia + rotor);
         let guess = (total - rotor).max(0.05 * total).max(least);
         if target.on_motor { guess / (ratio * ratio) } else { guess }
+    }
+}
+
+/// The figures of a regime that was found.
+fn figures(
+    unknowns: &Unknowns,
+    solution: &CycleSolution,
+    range: &SpeedRange,
+    required_power: f64,
+) -> Figures {
+    let (cycle, low, high) = (solution.cycle, range.least, range.greatest);
+    let energy = |at: &Extreme| solution.segments[at.piece].energy_at(at.theta);
+    let angle = (high.at.x - low.at.x).rem_euclid(cycle.length);
+    let place = |at: &Extreme| cycle.coordinate(at.x.rem_euclid(cycle.length));
+    let torque =
+        if let TorqueSource::Constant(moment) = solution.setup.drive.source { Some(moment) } else { None };
+    Figures {
+        ratio: unknowns.ratio(),
+        mean_speed: cycle.sense * range.mean(),
+        unevenness: range.unevenness(),
+        speed_min: cycle.sense * low.value,
+        speed_max: cycle.sense * high.value,
+        coordinate_at_min: place(&low.at),
+        coordinate_at_max: place(&high.at),
+        // Past the end of the cycle the energy starts again, with the small change that a cycle may leave.
+        excess_work: energy(&high.at) - energy(&low.at),
+        dynamic_unevenness: Some(2.0 * range.unevenness() / angle).filter(|value| value.is_finite()),
+        required_power,
+        torque,
     }
 }

@@ -9,12 +9,12 @@ use assur_integrator::{Request, State, Until, find};
 use assur_fixtures::scene;
 
 use super::compiled;
-use crate::{Driven, DynamicsError, Machine, Regime, steady};
+use crate::{DynamicsError, Machine, Regime, steady};
 
 /// Speed at the start of a cycle after many turns from the mean speed, with what the regime has on its shaft.
 fn speed_after(text: &str, regime: &Regime, turns: u32) -> f64 {
     let (linkage, loads) = compiled(text);
-    let mut motion = Driven::new(Machine::new(&linkage, &loads), regime.drive());
+    let mut motion = Machine::new(&linkage, &loads).with_drive(regime.drive());
     let integrator = find("dop853").unwrap();
     let sense = linkage.mechanism.input.sign();
     let from = linkage.mechanism.input.from;

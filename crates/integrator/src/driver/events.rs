@@ -160,7 +160,7 @@ impl<S: Stepper> Drive<'_, S> {
 
     /// The kinks at the present state, where there are any.
     pub(super) fn note_bends(&mut self) -> Result<(), IntegrationError> {
-        if self.run.equation.depends_on_acceleration() {
+        if self.run.equation.dependence().moment_on_acceleration {
             let found = self.run.equation.bends(&self.run.node.state);
             self.bends[0] = found.map_err(|source| self.run.failed(source))?;
         }

@@ -22,7 +22,7 @@ impl<S: Stepper> Drive<'_, S> {
     /// Stays at the present speed until something releases the motion, or to the end.
     pub(super) fn stick(&mut self) -> Result<(), IntegrationError> {
         let at_rest = self.run.node.state.speed == 0.0;
-        let ends = self.run.request.until == Until::Turn || !self.run.equation.depends_on_time();
+        let ends = self.run.request.until == Until::Turn || !self.run.equation.dependence().moment_on_time;
         if at_rest && ends { self.run.coast_to_end() } else { self.wait() }
     }
 
@@ -43,17 +43,10 @@ impl<S: Stepper> Drive<'_, S> {
         enter(&mut self.run.equation, &state, true)
     }
 
-    /// The seconds from now to the end of the smooth piece of time that begins in `dt` seconds.
-    fn piece_after(&mut self, dt: f64) -> Result<f64, IntegrationError> {
-        let state = self.after(dt);
-        let [_, end] = piece_ahead(&mut self.run.equation, &state, 1.0)?.time;
-        Ok(end - self.run.node.state.time)
-    }
-
     /// The first change, other than one in time, between two instants in seconds from now.
     fn change_before(&self, held: f64, next: f64) -> Option<f64> {
         let step = next - held;
-        if !(self.run.equation.has_switches() && step.is_finite()) {
+        if !(self.run.equation.dependence().moment_switches && step.is_finite()) {
             return None;
         }
         let coasting = Dense::parabola(&Node { state: self.after(held), acceleration: 0.0 }, step);
@@ -75,13 +68,15 @@ impl<S: Stepper> Drive<'_, S> {
                 self.coast(held);
                 return Err(self.too_many_steps());
             }
-            let next = (held + stride).min(left).min(goal).min(self.piece_after(held)?);
+            let state = self.after(held);
+            let [_, end] = piece_ahead(&mut self.run.equation, &state, 1.0)?.time;
+            let next = (held + stride).min(left).min(goal).min(end - start);
             let next = self.change_before(held, next).unwrap_or(next);
             if (start + next).is_infinite() {
                 // Nothing releases it within any representable time.
                 return self.run.coast_to_end();
             }
-            self.run.check_way(self.after(held).coordinate)?;
+            self.run.check_way(state.coordinate)?;
             // What holds before a jump may not hold after it, and the other way round.
             let before = next - BESIDE * (start + next).abs().max(1.0);
             for dt in [before, next] {

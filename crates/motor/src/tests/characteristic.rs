@@ -102,11 +102,6 @@ fn errors_say_how_much_and_what_to_do() {
     );
 }
 
-#[test]
-fn kinds_have_stable_names() {
-    assert_eq!([kloss().name(), linear().name()], ["kloss", "linear"]);
-}
-
 prop_compose! {
     /// Motors as catalogues have them, and somewhat beyond.
     fn any_motor()(power in 10.0..1e6, ws in 30.0..400.0f64, sn in 0.002..0.2, l in 1.05..6.0) -> RatedMotor {

@@ -2,8 +2,8 @@
 
 use assur_analysis::results::{Advice, AdvisedRegime, Dynamics, SteadyMotor};
 use assur_book::{Document, Fact, Listing, Table, Unit};
-use assur_motor::{Motor, USUAL_SOURCE, USUAL_UNEVENNESS, rpm};
-use assur_words::{Describe, Text, joined, name, text};
+use assur_motor::{CharacteristicKind, Motor, USUAL_SOURCE, USUAL_UNEVENNESS, rpm};
+use assur_words::{Text, joined, name, text};
 
 use super::Source;
 
@@ -28,7 +28,7 @@ pub fn drive(source: &Source<'_>, page: &mut Document) {
     }
     if let Some(motor) = &found.motor {
         for warning in &motor.warnings {
-            page.paragraph(text!("report-warning", warning = warning.describe()));
+            page.paragraph(text!("report-warning", warning = &warning.text));
         }
         runners_up(motor, page);
     }
@@ -56,7 +56,7 @@ pub fn motor_facts(found: &SteadyMotor) -> Vec<Fact> {
         some("fact-motor-mass", motor.mass, Unit::KILOGRAM),
         some("fact-motor-length", motor.length, Unit::LENGTH),
         some("fact-motor-diameter", motor.diameter, Unit::LENGTH),
-        Some(Fact::text("fact-characteristic", characteristic(work.characteristic.name()))),
+        Some(Fact::text("fact-characteristic", characteristic(work.characteristic.kind))),
         some("fact-rated-torque", Some(work.characteristic.rated_torque), Unit::MOMENT),
         some("fact-breakdown-torque", work.characteristic.breakdown_torque, Unit::MOMENT),
         Some(Fact::range("fact-working-speed", work.speed, Unit::TURNING[0])),
@@ -87,8 +87,8 @@ fn flywheel_method(key: &'static str) -> Text {
 }
 
 /// The words of a characteristic by its key.
-fn characteristic(key: &'static str) -> Text {
-    if key == "kloss" { text!("drive-kloss") } else { text!("drive-linear") }
+fn characteristic(kind: CharacteristicKind) -> Text {
+    if kind == CharacteristicKind::Kloss { text!("drive-kloss") } else { text!("drive-linear") }
 }
 
 /// The words of the shaft of a flywheel by its key.

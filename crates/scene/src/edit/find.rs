@@ -18,7 +18,7 @@ pub(super) fn find(document: &DeTable<'_>, steps: &[Step]) -> Result<Vec<TextPla
         Step::Range(first, last) => Some((depth, *first, *last)),
         _ => None,
     });
-    let Some((depth, first, last)) = several else { return one(document, steps).map(|place| vec![place]) };
+    let Some((depth, first, last)) = several else { return Ok(vec![leaf(within(document, steps)?, steps)?]) };
     let last = match last {
         Some(last) => last,
         None => length(document, &steps[..depth])?.saturating_sub(1),
@@ -38,10 +38,6 @@ fn length(document: &DeTable<'_>, steps: &[Step]) -> Result<usize, Text> {
         DeValue::Array(array) => Ok(array.len()),
         _ => Err(text!("scene-no-list", key = key(steps))),
     }
-}
-
-fn one(document: &DeTable<'_>, steps: &[Step]) -> Result<TextPlace, Text> {
-    leaf(within(document, steps)?, steps)
 }
 
 /// The bytes of the file at which a key stands, of an element of a list those of the element; where the scene leaves the key out,

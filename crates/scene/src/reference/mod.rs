@@ -265,11 +265,6 @@ impl KeyTable {
         if within.is_empty() { all } else { within }
     }
 
-    /// Whether this key stands before all tables.
-    pub(crate) fn is_of_the_file(word: &str) -> bool {
-        table("").key(word).is_some()
-    }
-
     /// The key that people mean by another word.
     pub(crate) fn meant(&self, word: &str) -> Option<&'static str> {
         let meant = |key: &&SceneKey| key.also.split(", ").any(|also| also.eq_ignore_ascii_case(word));

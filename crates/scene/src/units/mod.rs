@@ -103,7 +103,9 @@ impl Unit {
             return Ok(Self(parse::Scale::ONE));
         }
         let scale = parse::unit(name, wanted)?;
-        if wanted == Dimension::AngularSpeed && parse::is_count_by_time(&scale) {
+        // Something by minute or hour is read as radians by some and as turns by others: `1/min`.
+        let is_count_by_time = scale.powers == [0, 0, -1, 0] && scale.down > scale.up;
+        if wanted == Dimension::AngularSpeed && is_count_by_time {
             return Err(UnitError::new(UnitFault::UnknownUnit(Some("rpm".to_owned())), name, wanted));
         }
         if wanted.accepts(scale.powers) {

@@ -175,11 +175,6 @@ pub(super) fn unit(text: &str, wanted: Dimension) -> Result<Scale, UnitError> {
     Err(unknown_unit(text, text, wanted))
 }
 
-/// Whether a unit is something by minute or hour, which is read as radians by some and as turns by others: `1/min`.
-pub(super) fn is_count_by_time(scale: &Scale) -> bool {
-    scale.powers == [0, 0, -1, 0] && scale.down > scale.up
-}
-
 fn is_operator(c: char) -> bool {
     c == '/' || is_sign(c) || c.is_whitespace()
 }

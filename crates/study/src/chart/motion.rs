@@ -4,7 +4,7 @@ pub(in crate::chart) mod reference;
 
 use std::hint::black_box;
 
-use assur_dynamics::Driven;
+use assur_dynamics::Machine;
 use assur_integrator::{EquationOfMotion, FixedStep, IntegratorPlugin, Knob, Request, integrators};
 use assur_words::{Describe, text};
 
@@ -16,7 +16,7 @@ use reference::References;
 
 #[derive(Debug, Clone)]
 pub(crate) struct Task<'a> {
-    pub(crate) motion: Driven<'a>,
+    pub(crate) motion: Machine<'a>,
     pub(crate) request: Request,
 }
 

@@ -5,7 +5,7 @@ mod flywheel;
 mod settling;
 
 use assur_dynamics::{
-    CycleRequest, DriveRequest, Driven, Machine, Regime, RegimeSolver, TorqueRequest, TorqueSource, steady,
+    CycleRequest, DriveRequest, Machine, Regime, RegimeSolver, TorqueRequest, TorqueSource, steady,
 };
 use assur_force::Loads;
 use assur_integrator::{Dependence, EquationOfMotion, MotionError, Piece, Reduced, Request, State, Until};
@@ -47,7 +47,7 @@ impl<'a> Cycle<'a> {
         let speed = self.regime.state(self.request.start).speed;
         let initial = State { time: 0.0, coordinate: self.request.start, speed };
         let end = self.request.start + self.request.mean_speed.signum() * self.request.length;
-        let motion = Driven::new(Machine::new(self.linkage, self.loads), self.regime.drive());
+        let motion = Machine::new(self.linkage, self.loads).with_drive(self.regime.drive());
         Task { motion, request: Request { samples, ..Request::new(initial, Until::Coordinate(end)) } }
     }
 

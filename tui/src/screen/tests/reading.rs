@@ -1,6 +1,6 @@
 //! What a reader looks for: the nearest singular position, a long report, warnings, ways between scenes and views.
 
-use assur_motor::MotorWarning;
+use assur_motor::check_rotor_inertia;
 use assur_words::name;
 
 use super::words::TURNS;
@@ -93,7 +93,7 @@ fn a_warning_of_the_drive_is_on_its_first_part() {
     let scene = state.scene.as_mut().unwrap();
     let dynamics = scene.found.as_mut().unwrap().analysis.dynamics.as_mut().unwrap();
     dynamics.motor.as_mut().unwrap().warnings =
-        vec![MotorWarning::RotorInertiaUnknown { designation: name("A long name ".repeat(9)) }];
+        check_rotor_inertia(None, name("A long name ".repeat(9))).into_iter().collect();
     let frame = text(&state, 80, 24);
     let line = frame.lines().find(|line| line.starts_with(" ! the rotor inertia of A long name")).unwrap();
     assert!(line.ends_with("…  (Tab Tab: whole)"), "{line}");

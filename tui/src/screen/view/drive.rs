@@ -5,7 +5,7 @@ use assur_analysis::results::Dynamics;
 use assur_picture::{in_a_line, regime};
 use assur_report::text::Line;
 use assur_report::topic::{self, Source};
-use assur_words::{Describe, Text, name, text};
+use assur_words::{Text, name, text};
 use ratatui::layout::{Constraint, Layout, Rect};
 use unicode_width::UnicodeWidthStr;
 
@@ -80,7 +80,7 @@ fn warned(pen: &mut Pen<'_>, dynamics: &Dynamics, area: Rect) -> Rect {
     let [line, rest] = Layout::vertical([Constraint::Length(1), Constraint::Min(0)]).areas(area);
     let more = pen.state.told(text!("drive-warning-more", key = name(pen.state.keys.first("part"))));
     let room = usize::from(area.width.saturating_sub(6)).saturating_sub(more.width());
-    let first = pen.state.told(first.describe());
+    let first = pen.state.told(&first.text);
     pen.put(line, 1, 0, &format!("! {}  {more}", cut(&first, room)), Role::Bad);
     rest
 }

@@ -9,7 +9,7 @@ use nalgebra::{SMatrix, SVector};
 
 use super::super::compiled;
 use super::{G, moved};
-use crate::{Driven, Machine, steady};
+use crate::{Machine, steady};
 
 const R: f64 = 0.1;
 const L: f64 = 0.35;
@@ -192,7 +192,7 @@ fn a_regime_with_friction_comes_back_to_its_speed() {
     let lost = torque * TAU - 4.0 * R * 300.0;
     assert!(lost > 2.0, "{lost}");
     assert_relative_eq!(found.regime.resistance_work, torque * TAU, max_relative = 1e-9);
-    let mut driven = Driven::new(Machine::new(&linkage, &loads), regime.drive());
+    let mut driven = Machine::new(&linkage, &loads).with_drive(regime.drive());
     let q = 1.0;
     let state = State { time: 0.0, coordinate: q, speed: regime.state(q).speed };
     driven.enter(&state).unwrap();
