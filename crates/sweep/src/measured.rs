@@ -4,7 +4,7 @@ use assur_analysis::results::{Column, FrictionCycle, Turn};
 use assur_book::Range;
 use assur_dynamics::{Instant, Regime, Steady};
 use assur_force::Joint;
-use assur_geometry::{Extremes, PartCourses, Stroke};
+use assur_geometry::{Extremes, PartCourse};
 use assur_mechanism::{Input, LinkId, SlideId};
 use assur_number::{Extreme, Statistic};
 use assur_shaking::Size;
@@ -47,31 +47,6 @@ pub(crate) fn ends(joint: &Joint) -> usize {
     if joint.links.len() == 2 { 1 } else { joint.links.len() }
 }
 
-/// A point, slide or link over the cycle.
-#[derive(Debug)]
-pub(crate) struct PartCourse {
-    /// Between the extremes of its displacement or angle, m or rad.
-    pub(crate) stroke: Option<f64>,
-    pub(crate) time_ratio: Option<f64>,
-    /// The greatest magnitudes of its first and second derivative with respect to the coordinate.
-    pub(crate) derivatives: [f64; 2],
-}
-
-impl PartCourse {
-    /// The points, then the slides, then the links.
-    pub(crate) fn each(all: &PartCourses) -> Vec<Self> {
-        let part = |pf0: Option<&Extremes>, stroke: Option<&Stroke>, derivatives: [&Extremes; 2]| Self {
-            stroke: pf0.map(|pf0| pf0.max - pf0.min),
-            time_ratio: stroke.and_then(|stroke| stroke.time_ratio),
-            derivatives: derivatives.map(|of| of.min.abs().max(of.max.abs())),
-        };
-        let points = all.points.iter().map(|of| part(None, None, [&of.pf1, &of.pf2]));
-        let slides = all.slides.iter().map(|of| part(Some(&of.pf0), of.stroke.as_ref(), [&of.pf1, &of.pf2]));
-        let links = all.links.iter().map(|of| part(of.pf0.as_ref(), of.stroke.as_ref(), [&of.pf1, &of.pf2]));
-        points.chain(slides).chain(links).collect()
-    }
-}
-
 /// What was found at a point of a sweep.
 #[derive(Debug, Default)]
 pub(crate) struct Measured {
@@ -92,8 +67,8 @@ pub(crate) struct Measured {
     pub(crate) steady: Option<Box<Steady>>,
     /// Dry friction over the cycle.
     pub(crate) friction: Option<FrictionCycle>,
-    /// The motion of points, slides and links between positions; empty where it was not asked for, or the cycle has a part without a
-    /// solution.
+    /// The motion of the points, then of the slides, then of the links between positions; empty where it was not asked for, or
+    /// the cycle has a part without a solution.
     pub(crate) courses: Vec<PartCourse>,
     /// The speed of an input whose speed is prescribed and constant, rad/s or m/s.
     pub(crate) speed: Option<f64>,

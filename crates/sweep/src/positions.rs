@@ -16,7 +16,7 @@ use assur_words::{Describe, Text, millimeters, number, text};
 use crate::Status;
 use crate::layout::Layout;
 use crate::measure::Of;
-use crate::measured::{Gathered, Measured, PartCourse, ends};
+use crate::measured::{Gathered, Measured, ends};
 use crate::rows::Failure;
 
 /// Most blocks of eight positions that are kept from one point to the next: some ten times what fits into a fast cache, and
@@ -147,8 +147,8 @@ impl<'a> Positions<'a> {
         let Wanted { links, slides, points, .. } = &self.calculation.plan.wanted;
         if moved && layout.asks(&[Of::Moving, Of::Parts]) {
             let (links, slides) = (links.iter().copied(), slides.iter().copied());
-            let found = courses(linkage, links, slides, points.iter().map(|(point, _)| *point));
-            self.found.courses = found.as_ref().map(PartCourse::each).unwrap_or_default();
+            let found = courses(linkage, points.iter().map(|(point, _)| *point), slides, links);
+            self.found.courses = found.unwrap_or_default();
         }
         if moved && layout.asks(&[Of::Targets]) {
             let targets = layout.targets.iter().map(|(point, _, from)| (points[*point].1, *from));

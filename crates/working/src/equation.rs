@@ -19,12 +19,12 @@ impl Work<'_> {
         let sum = powers.into_iter().fold(Expr::zero(), |sum, power| sum + power);
         let moment = self.sheet.work("Q", &sum, units.moment);
         self.reduce_to_point(&inertia, &moment);
-        let Some(drive) = self.drive else { return };
+        let Some([driving, own]) = self.drive else { return };
         self.sheet.section(text!("working-equation"));
         let what = text!("working-driving-moment");
-        let driving = self.sheet.given(of_drive("M"), drive.moment, units.moment, what);
+        let driving = self.sheet.given(of_drive("M"), driving, units.moment, what);
         let what = text!("working-inertia-of-drive");
-        let own = self.sheet.given(of_drive("J"), drive.inertia, units.inertia[0], what);
+        let own = self.sheet.given(of_drive("J"), own, units.inertia[0], what);
         let w = self.sheet.find("ω").unwrap_or_else(Expr::zero);
         let kinetic = slope * w.squared() / Expr::number(2.0);
         let unknown = Expr::symbol("ε", f64::NAN);

@@ -103,15 +103,13 @@ fn extreme(id: &'static str, turn: Turn, unit: Unit, place: Unit) -> Fact {
 fn motion(analysis: &Analysis, linkage: &Linkage, place: Unit) -> Vec<Fact> {
     let Ok(found) = overview(linkage) else { return Vec::new() };
     let mechanism = &linkage.mechanism;
-    let slides = found.slides.iter().map(|(id, course)| {
-        (Owner::Slide(*id), &mechanism.slides[*id].name, course.stroke.as_ref(), &course.pf1)
-    });
-    let links = found.links.iter().map(|(id, course)| {
-        (Owner::Link(*id), &mechanism.links[*id].name, course.stroke.as_ref(), &course.pf1)
-    });
+    let slides =
+        found.slides.iter().map(|(id, at)| (Owner::Slide(*id), &mechanism.slides[*id].name, at));
+    let links = found.links.iter().map(|(id, at)| (Owner::Link(*id), &mechanism.links[*id].name, at));
     let mut facts = Vec::new();
-    for (owner, of, stroke, pf1) in slides.chain(links) {
-        let Some(stroke) = stroke else { continue };
+    for (owner, of, course) in slides.chain(links) {
+        let Some(stroke) = &course.stroke else { continue };
+        let pf1 = &course.pf1;
         let is_slide = matches!(owner, Owner::Slide(_));
         let (id, unit) = if is_slide { ("fact-stroke", Unit::LENGTH) } else { ("fact-swing", Unit::ANGLE) };
         let place_of = Column::of(Quantity::Transfer(0), owner);

@@ -8,7 +8,7 @@ use assur_words::Language;
 
 use super::evaluate::{equations, printed, recomputes};
 use super::fixtures::scene;
-use crate::{Drive, PositionOrSample, Task, Working};
+use crate::{PositionOrSample, Task, Working};
 
 #[test]
 fn the_acceleration_follows_from_the_reduction() {
@@ -21,7 +21,7 @@ fn the_acceleration_follows_from_the_reduction() {
     ] {
         let linkage = Linkage::compile(scene(name)).unwrap();
         let loads = Loads::compile(&linkage).unwrap();
-        let drive = Drive { moment: 75.0, inertia: 2.5 };
+        let drive = [75.0, 2.5];
         for index in [1, 3, 7] {
             let mut position = linkage.position();
             linkage.solve_index(index, Order::Second, &mut position).unwrap();
