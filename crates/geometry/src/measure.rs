@@ -12,7 +12,9 @@ use assur_words::{Describe, Text, text};
 use crate::course::{Cycle, Motion, Rest, VectorCourse};
 use crate::data::Each;
 use crate::rigid::RigidParts;
-use crate::{AtPosition, Centers, Curvature, Extremes, ForceAngles, Geometry, PartCourse, Stroke, centers_of};
+use crate::{
+    AtPosition, Centers, Curvature, Extremes, ForceAngles, Geometry, PartCourse, Stroke, centers_of,
+};
 
 /// Version of the format of the JSON.
 const FORMAT: u32 = 1;
@@ -239,9 +241,7 @@ fn point(cycle: &Cycle<'_>, id: PointId) -> Result<PartCourse, PositionError> {
         x: Some(coordinate(0)?),
         y: Some(coordinate(1)?),
         stroke: Stroke::of(&rests, cycle.period, &linkage.mechanism, stroke),
-        pf1: course.extremes(|motion| {
-            [modulus(&motion[1]), dot(motion[1], motion[2]), f64::NAN]
-        })?,
+        pf1: course.extremes(|motion| [modulus(&motion[1]), dot(motion[1], motion[2]), f64::NAN])?,
         pf2: course.extremes(|motion| [modulus(&motion[2]), f64::NAN, f64::NAN])?,
         rests: coordinates(&rests),
         ..PartCourse::default()

@@ -109,10 +109,7 @@ impl Axis {
         {
             let [own, other] = [own, other].map(|kind| kind.describe());
             let key = name(parameters[leader].key.clone());
-            return Err(SweepError::vary(
-                axis.key,
-                text!("sweep-tie-other-quantity", own = own, key = key, other = other),
-            ));
+            return Err(SweepError::vary(axis.key, text!("sweep-tie-other-quantity", own, key, other)));
         }
         Ok(Self { follows: Some((leader, factor)), ..axis })
     }

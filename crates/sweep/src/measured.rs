@@ -5,7 +5,7 @@ use assur_book::Range;
 use assur_dynamics::{Instant, Regime, Steady};
 use assur_force::Joint;
 use assur_geometry::{Extremes, PartCourse};
-use assur_mechanism::{Input, LinkId, SlideId};
+use assur_mechanism::Input;
 use assur_number::{Extreme, Statistic};
 use assur_shaking::Size;
 
@@ -18,14 +18,9 @@ pub(crate) enum Gathered {
     Health,
     /// Least transmission angle of all groups.
     Transmission,
-    /// A coordinate of a point, by its number among the points that are wanted.
-    Point(usize, Column),
-    /// Displacement of a slide.
-    Slide(SlideId),
-    /// Continuous angle of a link.
-    Link(LinkId),
-    /// The balancing load, and its magnitude.
-    Balancing,
+    /// A coordinate of a point, the displacement of a slide, the continuous angle of a link, or the balancing load.
+    Column(Column),
+    /// The magnitude of the balancing load.
     BalancingSize,
     /// The greatest force of a pin or slide on one of its links; the statistic at the positions is of its square.
     Force(Joint),
@@ -38,7 +33,10 @@ pub(crate) enum Gathered {
 impl Gathered {
     /// Whether it is the same under all loads.
     fn is_of_places(&self) -> bool {
-        matches!(self, Self::Health | Self::Transmission | Self::Point(..) | Self::Slide(_) | Self::Link(_))
+        match self {
+            Self::Column(column) => *column != Column::BALANCING,
+            other => matches!(other, Self::Health | Self::Transmission),
+        }
     }
 }
 

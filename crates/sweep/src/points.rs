@@ -10,9 +10,10 @@ use crate::vary::between;
 pub(crate) const MOST_SAMPLED: usize = sobol_burley::NUM_DIMENSIONS as usize;
 
 /// The points of a sweep.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Points {
     /// Every value of each parameter with every value of the others; the last parameter changes fastest.
+    #[default]
     Grid,
     /// Points of a Sobol sequence with Owen scrambling: they fill the ranges evenly, and any first part of them does.
     Sample {

@@ -14,10 +14,7 @@ impl Work<'_> {
         self.sheet.note(text!("working-reduced-inertia"));
         let [inertia, slope] = self.reduced_inertia(units.inertia);
         self.sheet.note(text!("working-reduced-moment"));
-        let powers: Vec<_> =
-            (1..self.linkage.structure.links).map(|link| self.sheet.power_of(link)).collect();
-        let sum = powers.into_iter().fold(Expr::zero(), |sum, power| sum + power);
-        let moment = self.sheet.work("Q", &sum, units.moment);
+        let moment = self.total_power("Q");
         self.reduce_to_point(&inertia, &moment);
         let Some([driving, own]) = self.drive else { return };
         self.sheet.section(text!("working-equation"));

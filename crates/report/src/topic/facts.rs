@@ -103,8 +103,7 @@ fn extreme(id: &'static str, turn: Turn, unit: Unit, place: Unit) -> Fact {
 fn motion(analysis: &Analysis, linkage: &Linkage, place: Unit) -> Vec<Fact> {
     let Ok(found) = overview(linkage) else { return Vec::new() };
     let mechanism = &linkage.mechanism;
-    let slides =
-        found.slides.iter().map(|(id, at)| (Owner::Slide(*id), &mechanism.slides[*id].name, at));
+    let slides = found.slides.iter().map(|(id, at)| (Owner::Slide(*id), &mechanism.slides[*id].name, at));
     let links = found.links.iter().map(|(id, at)| (Owner::Link(*id), &mechanism.links[*id].name, at));
     let mut facts = Vec::new();
     for (owner, of, course) in slides.chain(links) {
@@ -169,16 +168,12 @@ fn balancing(analysis: &Analysis, linkage: &Linkage, place: Unit) -> Vec<Fact> {
     let Some(turn) = farthest(analysis, Column::BALANCING).filter(|turn| turn.value != 0.0) else {
         return Vec::new();
     };
-    let (ids, unit) = if analysis.input.balancing_is_moment {
-        (
-            ["fact-greatest-balancing-moment", "fact-mean-balancing-moment", "fact-rms-balancing-moment"],
-            Unit::MOMENT,
-        )
+    let is_moment = analysis.input.balancing_is_moment;
+    let unit = Unit::load(is_moment);
+    let ids = if is_moment {
+        ["fact-greatest-balancing-moment", "fact-mean-balancing-moment", "fact-rms-balancing-moment"]
     } else {
-        (
-            ["fact-greatest-balancing-force", "fact-mean-balancing-force", "fact-rms-balancing-force"],
-            Unit::FORCE,
-        )
+        ["fact-greatest-balancing-force", "fact-mean-balancing-force", "fact-rms-balancing-force"]
     };
     let mut facts = vec![extreme(ids[0], turn, unit, place).about(Column::BALANCING)];
     // The mean moment of a regime is that of its works.

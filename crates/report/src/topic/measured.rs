@@ -1,7 +1,7 @@
 //! The geometry of the motion as tables.
 
 use assur_book::{Column, Document, Group, Table, Unit, beside};
-use assur_geometry::{AtPosition, CenterAt, Centers, Geometry, PartCourse, Stroke};
+use assur_geometry::{AtPosition, Centers, Geometry, PartCourse, Stroke};
 use assur_mechanism::Named;
 use assur_words::{Text, name, text};
 
@@ -10,9 +10,7 @@ use super::structure::named;
 /// What was measured on the motion.
 pub fn geometry(found: &Geometry, page: &mut Document) {
     let unit = Unit::place(found.angular);
-    if !found.title.is_empty() {
-        page.title(name(found.title.clone()));
-    }
+    page.scene(&found.title);
     strokes(found, unit, page);
     extremes(found, unit, page);
     force_angles(found, unit, page);
@@ -111,7 +109,8 @@ fn rests(found: &Geometry, unit: Unit, page: &mut Document) {
         .column(text!("head-link-or-point"), |(of, _)| Text::from(*of))
         .measured(text!("head-rests-at"), unit, |(_, at)| list(&at.rests, unit))
         .table();
-    let always = found.links.iter().filter(|(_, at)| at.rests_always == Some(true)).map(|(link, _)| Text::from(link));
+    let always =
+        found.links.iter().filter(|(_, at)| at.rests_always == Some(true)).map(|(link, _)| Text::from(link));
     let always: Vec<_> = always.collect();
     if table.is_empty() && always.is_empty() {
         return;
@@ -126,8 +125,8 @@ fn rests(found: &Geometry, unit: Unit, page: &mut Document) {
 /// Number and coordinate of the positions.
 fn keys(found: &Geometry, unit: Unit) -> Vec<Column> {
     let numbers = Column::counted(text!("head-number"), found.positions.iter().map(|at| at.index));
-    let coordinate = Column::each(&found.positions, text!("head-coordinate"), unit, |at| at.coordinate);
-    vec![numbers, coordinate]
+    let coordinates = found.positions.iter().map(|at| Some(at.coordinate));
+    vec![numbers, Column::numbers(text!("head-coordinate"), unit, coordinates)]
 }
 
 fn centers(found: &Geometry, unit: Unit, page: &mut Document) {
@@ -148,7 +147,7 @@ fn centers(found: &Geometry, unit: Unit, page: &mut Document) {
             [("x", 0), ("y", 1)].map(|(axis, i)| column(format!("{letter}{axis}"), at, i))
         };
         let all = [
-            point("P", |at| place(&at.center)),
+            point("P", |at| at.center.point()),
             point("p", |at| at.on_link),
             point("J", |at| at.inflection_pole),
             point("Q", |at| at.acceleration_pole),
@@ -157,10 +156,6 @@ fn centers(found: &Geometry, unit: Unit, page: &mut Document) {
     });
     let (groups, keys) = (groups.collect(), keys(found, unit));
     page.table(Table { caption: text!("head-links"), keys, owners: text!("head-link"), groups });
-}
-
-fn place(center: &CenterAt) -> Option<[f64; 2]> {
-    if let CenterAt::Point(place) = center { Some(*place) } else { None }
 }
 
 fn curvature(found: &Geometry, unit: Unit, page: &mut Document) {

@@ -21,9 +21,7 @@ pub fn explain(
     equation: Option<&Text>,
     page: &mut Document,
 ) {
-    if !mechanism.title.is_empty() {
-        page.title(name(mechanism.title.clone()));
-    }
+    page.scene(&mechanism.title);
     page.heading(text!("report-structure"));
     describe_structure(mechanism, structure, plan, page);
     page.heading(text!("explain-stages"));

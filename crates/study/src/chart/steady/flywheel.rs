@@ -92,8 +92,7 @@ fn effort(cycle: &Cycle<'_>, exact: bool) -> Option<usize> {
     let mut machine = cycle.machine();
     let solver = RegimeSolver::new(&mut machine, cycle.request).ok()?;
     black_box(solver.mean_resistance());
-    drop(solver);
-    Some(machine.count)
+    Some(solver.evaluations())
 }
 
 #[cfg(test)]
