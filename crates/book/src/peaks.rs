@@ -6,8 +6,7 @@ use assur_analysis::results::{
 };
 use assur_kinematics::continuous_angle;
 
-use crate::Course;
-use crate::catalogue::reactions;
+use crate::{Course, catalogue::reactions};
 
 /// Extremes of a curve that are not farther from the greatest one than this part of it may be the greatest.
 const NEAR: f64 = 0.02;

@@ -2,8 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use assur_group::Order;
-use assur_group::plane::dot;
+use assur_group::{Order, plane::dot};
 use assur_kinematics::{Linkage, PositionError};
 use assur_mechanism::{GROUND, LinkId, Place, Point, PointId, SlideId};
 use assur_number::elementary;

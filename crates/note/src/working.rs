@@ -14,19 +14,11 @@ pub fn of_position(calculation: &Calculation, index: usize) -> Result<Working, W
     let is_transient = matches!(mechanism.motion, Some(Motion::Transient { .. }));
     let has_forces = !is_transient && (mechanism.motion.is_some() || mechanism.has_loads());
     let state = calculation.state(mechanism.input.coordinate(index));
-    work(calculation, PositionOrSample::Position(index), state, has_forces)
+    of(calculation, PositionOrSample::Position(index), state, has_forces)
 }
 
-/// The working of a sample of a transient motion, in which the motion has this state.
-pub fn of_sample(
-    calculation: &Calculation,
-    number: usize,
-    state: assur_force::LoadState,
-) -> Result<Working, WorkingError> {
-    work(calculation, PositionOrSample::Sample(number), state, true)
-}
-
-fn work(
+/// The working of a position, or of a sample of a transient motion, in which the motion has this state.
+pub fn of(
     calculation: &Calculation,
     place: PositionOrSample,
     state: assur_force::LoadState,

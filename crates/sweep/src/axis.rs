@@ -9,8 +9,7 @@ use assur_scene::{Dimension, Reading, SceneNumber, Unit, quantity};
 use assur_words::{Describe, Text, joined, name, quantity as quantity_of, text, unit as quantity_unit};
 use strum::VariantArray;
 
-use crate::vary::Range as Ends;
-use crate::{SweepError, Tie, Vary};
+use crate::{SweepError, Tie, Vary, vary::Range as Ends};
 
 /// A parameter that was found in the scene.
 #[derive(Debug, Clone)]

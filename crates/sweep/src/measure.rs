@@ -1,12 +1,10 @@
 //! The measures by their names, and their columns: what each is of, what it is called, its unit, and what finds its number.
 
 use assur_analysis::results::Quantity;
-use assur_book::Unit;
-use assur_book::catalogue::KEYS;
+use assur_book::{Unit, catalogue::KEYS};
 use assur_words::{Describe, Text, list, name as words, text};
 
-use crate::SweepError;
-use crate::measured::Measured;
+use crate::{SweepError, measured::Measured};
 
 /// A family of columns.
 #[derive(Debug, Clone, Copy)]

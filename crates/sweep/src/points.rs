@@ -3,8 +3,7 @@
 use assur_scene::edit::decimal;
 use sobol_burley::parts::{hash, owen_scramble_rev, sobol_rev};
 
-use crate::axis::Axis;
-use crate::vary::between;
+use crate::{axis::Axis, vary::between};
 
 /// Most parameters of a sample: Sobol sequences of more dimensions are not available.
 pub(crate) const MOST_SAMPLED: usize = sobol_burley::NUM_DIMENSIONS as usize;

@@ -5,8 +5,7 @@
 //! read from the text of the scene with its values in it, which always holds and takes longer.
 
 use assur_mechanism::{Mechanism, links_of_length_zero};
-use assur_scene::edit::replaced;
-use assur_scene::{LEAST, SceneErrors};
+use assur_scene::{LEAST, SceneErrors, edit::replaced};
 
 use crate::axis::Axis;
 

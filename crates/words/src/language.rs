@@ -3,13 +3,11 @@
 use std::fmt::{self, Display};
 use std::sync::OnceLock;
 
-use fluent_bundle::concurrent::FluentBundle;
-use fluent_bundle::{FluentArgs, FluentResource, FluentValue};
+use fluent_bundle::{FluentArgs, FluentResource, FluentValue, concurrent::FluentBundle};
 use serde::{Serialize, Serializer};
 use unic_langid::LanguageIdentifier;
 
-use crate::Text;
-use crate::text::Content;
+use crate::{Text, text::Content};
 
 /// The codes of the languages, English first.
 pub const LANGUAGES: [&str; 3] = ["en", "uk", "ru"];

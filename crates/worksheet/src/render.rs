@@ -2,8 +2,7 @@
 
 use assur_words::Language;
 
-use crate::symbol::plain;
-use crate::{Entry, Section, Term};
+use crate::{Entry, Section, Term, symbol::plain};
 
 /// Greatest width of a row that is printed on paper, characters.
 pub const WIDTH: usize = 100;

@@ -3,8 +3,7 @@
 mod analysis;
 mod geometry;
 
-use std::borrow::Cow;
-use std::collections::BTreeSet;
+use std::{borrow::Cow, collections::BTreeSet};
 
 use ::csv::Writer;
 use assur_words::{Describe, Text, errors, name, text, to_ascii};

@@ -6,8 +6,7 @@ use assur_geometry::overview;
 use assur_kinematics::Linkage;
 use assur_words::{Text, count, joined, list, name, number, text};
 
-use super::forces::force;
-use super::regime;
+use super::{forces::force, regime};
 
 /// What a group of facts is about.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

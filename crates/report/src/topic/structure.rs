@@ -1,7 +1,6 @@
 //! Structure: mobility, pairs and groups.
 
-use assur_analysis::results::StructureReport;
-use assur_analysis::{GroupModes, PossibleInput, StructureStudy};
+use assur_analysis::{GroupModes, PossibleInput, StructureStudy, results::StructureReport};
 use assur_book::{Block, Column, Document, Table, Term, Unit, link_name, row};
 use assur_kinematics::{CourseEnd, Misfit, ModeMeeting, Unlisted};
 use assur_mechanism::Named;

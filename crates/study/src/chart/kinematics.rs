@@ -6,10 +6,7 @@ mod general;
 use assur_group::Order;
 use assur_words::{Describe, Text};
 
-use super::data::STEP;
-use super::race::Field;
-use super::work::Work;
-use super::{ChartError, ChartOptions, Measurement, Setting, Stage};
+use super::{ChartError, ChartOptions, Measurement, Setting, Stage, data::STEP, race::Field, work::Work};
 
 use differences::{Differentiator, Stencil};
 use general::{How, solved};

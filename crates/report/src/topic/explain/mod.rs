@@ -3,8 +3,7 @@
 mod model;
 mod stages;
 
-use assur_analysis::Methods;
-use assur_analysis::plan::Plan;
+use assur_analysis::{Methods, plan::Plan};
 use assur_book::{Document, link_name};
 use assur_mechanism::{LinkId, Mechanism};
 use assur_structure::{Structure, roman};
