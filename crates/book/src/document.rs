@@ -3,7 +3,8 @@
 use assur_analysis::results::Column as Quantity;
 use assur_figure::Figure;
 use assur_mechanism::{LinkId, Mechanism};
-use assur_words::{Text, joined, text, unit};
+use assur_words::{Text, joined, name, text, unit};
+use assur_worksheet::Term;
 
 use crate::catalogue::Unit;
 use crate::table::{Cell, Column, Table};
@@ -48,29 +49,17 @@ pub enum Block {
     Equation(Vec<Term>),
 }
 
-/// A part of an equation.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Term {
-    /// A quantity: letters with primes, and its subscript, which may be empty.
-    Name(Text, Text),
-    /// A function: `sin`.
-    Function(&'static str),
-    /// A number.
-    Number(Text),
-    /// The exponent of what stands before it.
-    Power(String),
-    /// Operators, parentheses and spaces.
-    Sign(Text),
-    /// A unit.
-    Unit(Text),
-    /// What the quantity is, in words behind the equation.
-    Words(Text),
-}
-
 impl Document {
     /// The title of the whole.
     pub fn title(&mut self, title: Text) {
         self.blocks.push(Block::Title(title));
+    }
+
+    /// The title of a scene, where it has one.
+    pub fn scene(&mut self, title: &str) {
+        if !title.is_empty() {
+            self.title(name(title.to_owned()));
+        }
     }
 
     /// The heading of a part.
@@ -147,25 +136,17 @@ pub enum Value {
 impl Fact {
     /// A fact that is a text.
     pub fn text(id: &'static str, value: Text) -> Self {
-        let value = Value::Text(value);
-        Self {
-            id,
-            of: Vec::new(),
-            value,
-            unit: Unit::NONE,
-            at: Vec::new(),
-            at_unit: Unit::NONE,
-            column: None,
-        }
+        let (value, unit) = (Value::Text(value), Unit::NONE);
+        Self { id, of: Vec::new(), value, unit, at: Vec::new(), at_unit: unit, column: None }
     }
 
     /// A number in SI.
-    pub fn number(id: &'static str, value: f64, unit: impl Into<Unit>) -> Self {
-        Self { value: Value::Number(value), unit: unit.into(), ..Self::text(id, Text::default()) }
+    pub fn number(id: &'static str, value: f64, unit: Unit) -> Self {
+        Self { value: Value::Number(value), unit, ..Self::text(id, Text::default()) }
     }
 
     /// A range in SI.
-    pub fn range(id: &'static str, value: [f64; 2], unit: impl Into<Unit>) -> Self {
+    pub fn range(id: &'static str, value: [f64; 2], unit: Unit) -> Self {
         Self { value: Value::Range(value), ..Self::number(id, 0.0, unit) }
     }
 
@@ -178,8 +159,8 @@ impl Fact {
 
     /// The coordinates at which it occurs, SI.
     #[must_use]
-    pub fn at(self, at: &[f64], unit: impl Into<Unit>) -> Self {
-        Self { at: at.to_vec(), at_unit: unit.into(), ..self }
+    pub fn at(self, at: &[f64], at_unit: Unit) -> Self {
+        Self { at: at.to_vec(), at_unit, ..self }
     }
 
     /// The quantity of the results whose value it is.

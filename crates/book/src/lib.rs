@@ -12,11 +12,12 @@ mod number;
 mod peaks;
 mod table;
 
+pub use assur_worksheet::Term;
 pub use catalogue::Unit;
 pub use course::{Course, Jump, Node};
-pub use document::{Block, Document, Fact, Term, Value, link_name};
+pub use document::{Block, Document, Fact, Value, link_name};
 pub use number::{Digits, ROUNDING, beside};
-pub use peaks::{Range, extreme, peaks, range, range_of};
+pub use peaks::{Range, Read, extreme, peaks, range, range_of};
 pub use table::{Cell, Column, Group, Listing, Printed, Table};
 
 assur_words::resources!();

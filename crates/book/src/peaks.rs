@@ -6,18 +6,20 @@ use assur_analysis::results::{
 };
 use assur_kinematics::continuous_angle;
 
-use crate::Course;
-use crate::catalogue::reactions;
+use crate::{Course, catalogue::reactions};
 
 /// Extremes of a curve that are not farther from the greatest one than this part of it may be the greatest.
 const NEAR: f64 = 0.02;
 
+/// What reads a number from a row.
+pub type Read<'a> = dyn Fn(&Table, usize) -> Option<f64> + 'a;
+
 /// The greatest values of a calculation, found between its positions too; `edges`: what lies between them.
 pub fn peaks(calculation: &Calculation, positions: &Table, edges: &Edges) -> Peaks {
     let schema = positions.schema();
-    let farthest = |read: &dyn Fn(&Table, usize) -> Option<f64>| {
+    let farthest = |read: &Read<'_>| {
         let course = Course::read(positions, Some(edges), Column::COORDINATE, read);
-        farthest(calculation, &course, read)
+        most(calculation, &course, read, Statistic::farthest)
     };
     let of_column = |column: Column| Some((column, farthest(&|table, row| table.get(row, column))?));
     let speed = Column::of(Quantity::Velocity, Owner::Input);
@@ -43,21 +45,12 @@ fn columns(schema: &Schema) -> Vec<Column> {
     columns
 }
 
-/// The value of greatest magnitude; of a constant its first one.
-fn farthest(
-    calculation: &Calculation,
-    course: &Course,
-    read: &dyn Fn(&Table, usize) -> Option<f64>,
-) -> Option<Turn> {
-    most(calculation, course, read, Statistic::farthest)
-}
-
 /// One of the extremes of a course, found between its places too, and beside places without a value, where it may grow without limit;
 /// of a constant its first value.
 fn most(
     calculation: &Calculation,
     course: &Course,
-    read: &dyn Fn(&Table, usize) -> Option<f64>,
+    read: &Read<'_>,
     pick: fn(&Statistic) -> Option<Extreme>,
 ) -> Option<Turn> {
     let turns = course.turns();
@@ -110,22 +103,14 @@ pub fn extreme(calculation: &Calculation, course: &Course, column: Column, turn:
 }
 
 /// What a number that is made of each row reaches, with its `course` over the positions; `None` where no position has a value.
-pub fn range_of(
-    calculation: &Calculation,
-    course: &Course,
-    read: &dyn Fn(&Table, usize) -> Option<f64>,
-) -> Option<Range> {
+pub fn range_of(calculation: &Calculation, course: &Course, read: &Read<'_>) -> Option<Range> {
     let greatest = most(calculation, course, read, Statistic::greatest)?;
     let least = most(calculation, course, read, Statistic::least)?;
     Some(Range { greatest, least, means: means(calculation, course, read) })
 }
 
 /// Means over the cycle or the part of it that is calculated.
-fn means(
-    calculation: &Calculation,
-    course: &Course,
-    read: &dyn Fn(&Table, usize) -> Option<f64>,
-) -> Option<Means> {
+fn means(calculation: &Calculation, course: &Course, read: &Read<'_>) -> Option<Means> {
     let input = &calculation.linkage.mechanism.input;
     let last = if input.is_cycle() { input.positions } else { input.positions.saturating_sub(1) };
     let size = course.highest_and_lowest()?.iter().fold(0.0_f64, |most, [_, value]| most.max(value.abs()));

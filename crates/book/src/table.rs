@@ -77,17 +77,10 @@ impl From<usize> for Cell {
     }
 }
 
-impl From<&str> for Cell {
-    /// A name.
-    fn from(letters: &str) -> Self {
-        Self::Text(name(letters.to_owned()))
-    }
-}
-
 impl From<&String> for Cell {
     /// A name.
     fn from(letters: &String) -> Self {
-        Self::from(letters.as_str())
+        Self::Text(name(letters.clone()))
     }
 }
 
@@ -112,8 +105,8 @@ impl Column {
     }
 
     /// An empty column of numbers, of which each has its own digits.
-    pub fn short(head: Text, unit: impl Into<Unit>) -> Self {
-        Self { head, unit: unit.into(), digits: Digits::Short, cells: Vec::new() }
+    pub fn short(head: Text, unit: Unit) -> Self {
+        Self { head, unit, digits: Digits::Short, cells: Vec::new() }
     }
 
     /// The same with other digits.
@@ -123,19 +116,9 @@ impl Column {
     }
 
     /// Numbers in SI that have one number of decimals.
-    pub fn numbers(head: Text, unit: impl Into<Unit>, values: impl IntoIterator<Item = Option<f64>>) -> Self {
+    pub fn numbers(head: Text, unit: Unit, values: impl IntoIterator<Item = Option<f64>>) -> Self {
         let cells = values.into_iter().map(Cell::from).collect();
-        Self { head, unit: unit.into(), digits: Digits::Even, cells }
-    }
-
-    /// A quantity of each row that always has a value.
-    pub fn each<'r, T: 'r>(
-        rows: impl IntoIterator<Item = &'r T>,
-        head: Text,
-        unit: impl Into<Unit>,
-        value: impl Fn(&T) -> f64,
-    ) -> Self {
-        Self::numbers(head, unit, rows.into_iter().map(|row| Some(value(row))))
+        Self { head, unit, digits: Digits::Even, cells }
     }
 
     /// Numbers of positions or samples.
@@ -197,7 +180,7 @@ impl<T> Listing<T> {
 
     /// Adds a column of numbers in SI, of which each has its own digits.
     #[must_use]
-    pub fn measured<C: Into<Cell>>(self, head: Text, unit: impl Into<Unit>, value: impl Fn(&T) -> C) -> Self {
+    pub fn measured<C: Into<Cell>>(self, head: Text, unit: Unit, value: impl Fn(&T) -> C) -> Self {
         self.add(Column::short(head, unit), value)
     }
 
@@ -227,8 +210,7 @@ impl Table {
     pub fn list(caption: Text, columns: impl IntoIterator<Item = Column>) -> Self {
         let mut columns = columns.into_iter();
         let keys = columns.next().into_iter().collect();
-        let group = Group { owner: Text::default(), columns: columns.collect() };
-        Self { caption, keys, owners: Text::default(), groups: vec![group] }
+        Self::over(caption, keys, columns.collect())
     }
 
     /// A table over positions or samples, of columns that have no owner.

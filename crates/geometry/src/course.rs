@@ -19,7 +19,7 @@ const NEAR_GREATEST: f64 = 0.02;
 const SECTIONS: usize = 45;
 
 /// Least and greatest value of a quantity over the cycle, found between positions.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct Extremes {
     /// Least value.
     pub min: f64,
@@ -29,6 +29,18 @@ pub struct Extremes {
     pub at_min: f64,
     /// Coordinate of the greatest value, rad or m.
     pub at_max: f64,
+}
+
+impl Extremes {
+    /// From the least value to the greatest.
+    pub fn range(&self) -> f64 {
+        self.max - self.min
+    }
+
+    /// The greatest magnitude.
+    pub fn size(&self) -> f64 {
+        self.min.abs().max(self.max.abs())
+    }
 }
 
 /// Value of a vector and its first two derivatives with respect to the coordinate.
@@ -147,8 +159,12 @@ impl<'a, const N: usize> VectorCourse<'a, N> {
         self.samples.iter().map(|motion| product(&motion[1], &motion[1]).sqrt()).fold(0.0, f64::max)
     }
 
-    /// The positions of rest, in the order of the motion. The square of the first derivative has a minimum in each.
-    pub(crate) fn rests(&self) -> Result<Vec<Rest>, PositionError> {
+    /// The positions of rest, in the order of the motion, without any where it [rests always](Self::rests_always). The square of the
+    /// first derivative has a minimum in each.
+    pub(crate) fn rests(&self, unit: f64) -> Result<Vec<Rest>, PositionError> {
+        if self.rests_always(unit) {
+            return Ok(Vec::new());
+        }
         let zero = ZERO * self.largest_derivative();
         let slope = |motion: &Motion<N>| product(&motion[1], &motion[2]);
         let mut position = self.cycle.linkage.position();
@@ -262,20 +278,19 @@ pub struct Stroke {
 }
 
 impl Stroke {
-    /// The stroke between the positions of rest of a quantity, where `size` gives its displacement; `None` where the quantity does not
-    /// go to and fro.
+    /// The stroke between the positions of rest of a quantity with its displacement; `None` where the quantity does not go to and
+    /// fro.
     pub(crate) fn of(
         rests: &[Rest],
         period: Option<f64>,
         mechanism: &Mechanism,
-        size: impl FnOnce(&[f64]) -> f64,
+        stroke: f64,
     ) -> Option<Self> {
         let dead = rests.iter().filter(|rest| rest.reverses).map(|rest| rest.coordinate);
         let dead_points: Vec<f64> = dead.collect();
         if dead_points.len() < 2 {
             return None;
         }
-        let stroke = size(&dead_points);
         let intervals = match (period, dead_points.as_slice()) {
             (Some(period), [first, second]) => {
                 let out = (second - first).abs();

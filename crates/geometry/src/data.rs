@@ -26,84 +26,46 @@ pub struct Geometry {
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub rigid: Vec<Named<LinkId>>,
     /// Moving links.
-    pub links: Each<LinkCourse>,
+    pub links: Each<PartCourse>,
     /// Points that move.
-    pub points: Each<PointCourse>,
+    pub points: Each<PartCourse>,
     /// Slides.
-    pub slides: Each<SlideCourse>,
+    pub slides: Each<PartCourse>,
     /// The angle of each group that shows how well it transmits forces, by the name of the group.
     pub groups: IndexMap<Text, ForceAngles>,
     /// What belongs to one position of the scene.
     pub positions: Vec<AtPosition>,
 }
 
-/// Some links, slides and points over the cycle.
-#[derive(Debug, Clone, PartialEq)]
-pub struct PartCourses {
-    /// The links.
-    pub links: Vec<LinkCourse>,
-    /// The slides.
-    pub slides: Vec<SlideCourse>,
-    /// The points.
-    pub points: Vec<PointCourse>,
-}
-
-/// A link over the cycle.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct LinkCourse {
-    /// Whole turns over the cycle, counter-clockwise positive; `None` for a link that does not return to its angle with a
-    /// whole turn.
+/// A link, slide or point over the cycle.
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+pub struct PartCourse {
+    /// Of a link: whole turns over the cycle, counter-clockwise positive; `None` for one that does not return to its angle with
+    /// a whole turn.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub turns: Option<f64>,
-    /// Extremes of its angle, rad; `None` for a link that turns.
+    /// Of a point: extremes of its x, m.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub x: Option<Extremes>,
+    /// Of a point: extremes of its y, m.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub y: Option<Extremes>,
+    /// Extremes of the angle of a link, rad, or of the displacement of a slide, m; `None` for a link that turns, and for a point.
     #[serde(flatten)]
     pub pf0: Option<Extremes>,
-    /// Its swing; `None` for a link that does not rock.
+    /// Its stroke or swing; `None` if it does not go to and fro. That of a point is between dead points, at which it rests and
+    /// returns along its path.
     #[serde(flatten)]
     pub stroke: Option<Stroke>,
-    /// Extremes of the first derivative of its angle.
+    /// Extremes of the first derivative of its angle or displacement, or of the magnitude of PF1 of a point.
     pub pf1: Extremes,
-    /// Extremes of the second derivative of its angle.
+    /// Extremes of the second derivative, or of the magnitude of PF2.
     pub pf2: Extremes,
-    /// Coordinates at which the whole link rests, rad or m.
+    /// Coordinates at which it rests, a link as a whole, rad or m.
     pub rests: Vec<f64>,
-    /// Whether it rests over the whole cycle.
-    pub rests_always: bool,
-}
-
-/// A slide over the cycle.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct SlideCourse {
-    /// Extremes of its displacement, m.
-    #[serde(flatten)]
-    pub pf0: Extremes,
-    /// Its stroke; `None` if it does not go to and fro.
-    #[serde(flatten)]
-    pub stroke: Option<Stroke>,
-    /// Extremes of the first derivative of its displacement.
-    pub pf1: Extremes,
-    /// Extremes of the second derivative of its displacement.
-    pub pf2: Extremes,
-    /// Coordinates at which it rests, rad or m.
-    pub rests: Vec<f64>,
-}
-
-/// A point over the cycle.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct PointCourse {
-    /// Extremes of its x, m.
-    pub x: Extremes,
-    /// Extremes of its y, m.
-    pub y: Extremes,
-    /// Its stroke, if it has dead points, at which it rests and returns along its path.
-    #[serde(flatten)]
-    pub stroke: Option<Stroke>,
-    /// Extremes of the magnitude of PF1.
-    pub pf1: Extremes,
-    /// Extremes of the magnitude of PF2.
-    pub pf2: Extremes,
-    /// Coordinates at which it rests, rad or m.
-    pub rests: Vec<f64>,
+    /// Of a link: whether it rests over the whole cycle.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rests_always: Option<bool>,
 }
 
 /// The angle that shows how well a group transmits forces, over the cycle.

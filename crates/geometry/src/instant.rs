@@ -115,6 +115,13 @@ pub enum CenterAt {
     Everywhere,
 }
 
+impl CenterAt {
+    /// Its place, m; `None` where there is no single one.
+    pub fn point(self) -> Option<[f64; 2]> {
+        if let Self::Point(place) = self { Some(place) } else { None }
+    }
+}
+
 /// The instant center of one link relative to another.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Center {

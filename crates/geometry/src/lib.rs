@@ -18,8 +18,7 @@ mod rigid;
 
 assur_words::resources!();
 
-pub use course::Extremes;
-pub use course::Stroke;
-pub use data::{AtPosition, ForceAngles, Geometry, LinkCourse, PartCourses, PointCourse, SlideCourse};
+pub use course::{Extremes, Stroke};
+pub use data::{AtPosition, ForceAngles, Geometry, PartCourse};
 pub use instant::{Center, CenterAt, Centers, Curvature, centers_of, instant_centers};
 pub use measure::{GeometryError, Overview, courses, distances, geometry, overview};

@@ -2,20 +2,18 @@
 
 use std::f64::consts::TAU;
 
-use assur_group::Order;
-use assur_group::plane::dot;
+use assur_group::{Order, plane::dot};
 use assur_kinematics::{Linkage, PositionError};
 use assur_mechanism::{GROUND, LinkId, Place, Point, PointId, SlideId};
 use assur_number::elementary;
 use assur_words::{Describe, Text, text};
 
-use crate::course::Cycle;
-use crate::course::{Extremes, Motion, Rest, VectorCourse};
-use crate::data::{
-    AtPosition, Each, ForceAngles, Geometry, LinkCourse, PartCourses, PointCourse, SlideCourse,
-};
+use crate::course::{Cycle, Motion, Rest, VectorCourse};
+use crate::data::Each;
 use crate::rigid::RigidParts;
-use crate::{Centers, Curvature, Stroke, centers_of};
+use crate::{
+    AtPosition, Centers, Curvature, Extremes, ForceAngles, Geometry, PartCourse, Stroke, centers_of,
+};
 
 /// Version of the format of the JSON.
 const FORMAT: u32 = 1;
@@ -25,19 +23,17 @@ const WHOLE: f64 = 1e-9;
 
 /// Why there is no geometry of the motion.
 #[derive(Clone, PartialEq)]
-pub struct GeometryError(pub PositionError);
+pub enum GeometryError {
+    /// A part of the cycle has no solution.
+    Position(PositionError),
+}
 
-assur_words::errors!(GeometryError);
+assur_words::errors!(GeometryError; Position(PositionError));
 
 impl Describe for GeometryError {
     fn describe(&self) -> Text {
-        text!("geometry-part-of-cycle", cause = self.0.describe())
-    }
-}
-
-impl From<PositionError> for GeometryError {
-    fn from(error: PositionError) -> Self {
-        Self(error)
+        let Self::Position(error) = self;
+        text!("geometry-part-of-cycle", cause = error.describe())
     }
 }
 
@@ -83,9 +79,9 @@ pub fn geometry(linkage: &Linkage, against: LinkId) -> Result<Geometry, Geometry
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Overview {
     /// The slides on the ground that go to and fro: the outputs of the machine.
-    pub slides: Vec<(SlideId, SlideCourse)>,
+    pub slides: Vec<(SlideId, PartCourse)>,
     /// The links that rock about a point of the ground.
-    pub links: Vec<(LinkId, LinkCourse)>,
+    pub links: Vec<(LinkId, PartCourse)>,
     /// The least transmission angle of all groups, rad, with its coordinate and its group.
     pub transmission: Option<(usize, f64, f64)>,
 }
@@ -97,25 +93,21 @@ pub fn overview(linkage: &Linkage) -> Result<Overview, GeometryError> {
     let parts = RigidParts::of(&cycle);
     let mut found = Overview::default();
     for id in (0..mechanism.slides.len()).filter(|id| mechanism.slides[*id].on == GROUND) {
-        found.slides.extend(Some((id, slide(&cycle, id)?)).filter(|(_, course)| course.stroke.is_some()));
+        let course = slide(&cycle, id)?;
+        found.slides.extend(course.stroke.is_some().then_some((id, course)));
     }
     let on_ground = |link: LinkId| {
         let on = |point: &Point, wanted: LinkId| point.places.iter().any(|place| place.link == wanted);
         mechanism.points.iter().any(|point| on(point, link) && on(point, GROUND))
     };
     for id in (1..mechanism.links.len()).filter(|id| on_ground(*id)) {
-        found
-            .links
-            .extend(Some((id, link(&cycle, id, &parts)?)).filter(|(_, course)| course.stroke.is_some()));
+        let course = link(&cycle, id, &parts)?;
+        found.links.extend(course.stroke.is_some().then_some((id, course)));
     }
     for (number, group) in linkage.structure.groups.iter().enumerate() {
         let course = VectorCourse::of(&cycle, |position| {
             let health = position.health[number].abs();
-            [
-                [group.plugin.force_angle.transmission(&group.frame, &position.bodies, health)],
-                [f64::NAN],
-                [f64::NAN],
-            ]
+            alone(group.plugin.force_angle.transmission(&group.frame, &position.bodies, health))
         });
         let least = course.extremes(ORDERS[0])?;
         if found.transmission.is_none_or(|(_, angle, _)| least.min < angle) {
@@ -125,20 +117,19 @@ pub fn overview(linkage: &Linkage) -> Result<Overview, GeometryError> {
     Ok(found)
 }
 
-/// The motion of some parts over the cycle.
+/// The motion of some parts over the cycle: of the points, then of the slides, then of the links.
 pub fn courses(
     linkage: &Linkage,
-    links: impl Iterator<Item = LinkId>,
-    slides: impl Iterator<Item = SlideId>,
     points: impl Iterator<Item = PointId>,
-) -> Result<PartCourses, GeometryError> {
+    slides: impl Iterator<Item = SlideId>,
+    links: impl Iterator<Item = LinkId>,
+) -> Result<Vec<PartCourse>, GeometryError> {
     let cycle = Cycle::of(linkage)?;
     let parts = RigidParts::of(&cycle);
-    Ok(PartCourses {
-        links: links.map(|id| link(&cycle, id, &parts)).collect::<Result<_, _>>()?,
-        slides: slides.map(|id| slide(&cycle, id)).collect::<Result<_, _>>()?,
-        points: points.map(|id| point(&cycle, id)).collect::<Result<_, _>>()?,
-    })
+    let points = points.map(|id| point(&cycle, id));
+    let slides = slides.map(|id| slide(&cycle, id));
+    let all = points.chain(slides).chain(links.map(|id| link(&cycle, id, &parts)));
+    Ok(all.collect::<Result<_, PositionError>>()?)
 }
 
 /// The distances of points of links from places in the frame of the ground over the cycle, m.
@@ -173,7 +164,12 @@ const ORDERS: [fn(&Motion<1>) -> [f64; 3]; 3] = [
     |motion| [motion[2][0], f64::NAN, f64::NAN],
 ];
 
-fn link(cycle: &Cycle<'_>, id: LinkId, parts: &RigidParts) -> Result<LinkCourse, PositionError> {
+/// A value whose derivatives are not known.
+const fn alone(value: f64) -> Motion<1> {
+    [[value], [f64::NAN], [f64::NAN]]
+}
+
+fn link(cycle: &Cycle<'_>, id: LinkId, parts: &RigidParts) -> Result<PartCourse, PositionError> {
     let linkage = cycle.linkage;
     let angle = VectorCourse::angle(cycle, |position| {
         let found = linkage.link_motion(id, position);
@@ -191,38 +187,38 @@ fn link(cycle: &Cycle<'_>, id: LinkId, parts: &RigidParts) -> Result<LinkCourse,
     let is_whole = cycle.period.is_some() && turns.round() != 0.0 && (turns - turns.round()).abs() < WHOLE;
     let turns = is_whole.then(|| linkage.mechanism.input.sign() * turns.round());
     let pf0 = if is_whole { None } else { Some(angle.extremes(ORDERS[0])?) };
-    let swings = if angle.rests_always(unit) { Vec::new() } else { angle.rests()? };
-    Ok(LinkCourse {
+    let swings = angle.rests(unit)?;
+    Ok(PartCourse {
         turns,
         pf0,
-        stroke: pf0
-            .and_then(|pf0| Stroke::of(&swings, cycle.period, &linkage.mechanism, |_| pf0.max - pf0.min)),
+        stroke: pf0.and_then(|pf0| Stroke::of(&swings, cycle.period, &linkage.mechanism, pf0.range())),
         pf1: angle.extremes(ORDERS[1])?,
         pf2: angle.extremes(ORDERS[2])?,
-        rests: if rests_always { Vec::new() } else { coordinates(&whole.rests()?) },
-        rests_always,
+        rests: if rests_always { Vec::new() } else { coordinates(&whole.rests(scale * unit)?) },
+        rests_always: Some(rests_always),
+        ..PartCourse::default()
     })
 }
 
-fn slide(cycle: &Cycle<'_>, id: SlideId) -> Result<SlideCourse, PositionError> {
+fn slide(cycle: &Cycle<'_>, id: SlideId) -> Result<PartCourse, PositionError> {
     let linkage = cycle.linkage;
     let course = VectorCourse::of(cycle, |position| {
         let found = linkage.slide_motion(id, position);
         [[found.pf0], [found.pf1], [found.pf2]]
     });
     let pf0 = course.extremes(ORDERS[0])?;
-    let unit = linkage.structure.scale / linkage.coordinate_unit();
-    let rests = if course.rests_always(unit) { Vec::new() } else { course.rests()? };
-    Ok(SlideCourse {
-        pf0,
-        stroke: Stroke::of(&rests, cycle.period, &linkage.mechanism, |_| pf0.max - pf0.min),
+    let rests = course.rests(linkage.structure.scale / linkage.coordinate_unit())?;
+    Ok(PartCourse {
+        pf0: Some(pf0),
+        stroke: Stroke::of(&rests, cycle.period, &linkage.mechanism, pf0.range()),
         pf1: course.extremes(ORDERS[1])?,
         pf2: course.extremes(ORDERS[2])?,
         rests: coordinates(&rests),
+        ..PartCourse::default()
     })
 }
 
-fn point(cycle: &Cycle<'_>, id: PointId) -> Result<PointCourse, PositionError> {
+fn point(cycle: &Cycle<'_>, id: PointId) -> Result<PartCourse, PositionError> {
     let linkage = cycle.linkage;
     let course = VectorCourse::of(cycle, |position| {
         let found = linkage.point_motion(id, position);
@@ -231,8 +227,7 @@ fn point(cycle: &Cycle<'_>, id: PointId) -> Result<PointCourse, PositionError> {
     let coordinate =
         |axis: usize| course.extremes(move |motion: &Motion<2>| [0, 1, 2].map(|order| motion[order][axis]));
     let modulus = |v: &[f64; 2]| elementary::hypot(v[0], v[1]);
-    let unit = linkage.structure.scale / linkage.coordinate_unit();
-    let rests = if course.rests_always(unit) { Vec::new() } else { course.rests()? };
+    let rests = course.rests(linkage.structure.scale / linkage.coordinate_unit())?;
     let mut position = linkage.position();
     let mut places = Vec::new();
     for rest in rests.iter().filter(|rest| rest.reverses) {
@@ -241,17 +236,14 @@ fn point(cycle: &Cycle<'_>, id: PointId) -> Result<PointCourse, PositionError> {
     let farthest =
         places.iter().flat_map(|a| places.iter().map(move |b| elementary::hypot(a[0] - b[0], a[1] - b[1])));
     let stroke = farthest.fold(0.0, f64::max);
-    Ok(PointCourse {
-        x: coordinate(0)?,
-        y: coordinate(1)?,
-        stroke: Stroke::of(&rests, cycle.period, &linkage.mechanism, |_| stroke),
-        pf1: course.extremes(|motion| {
-            let size = modulus(&motion[1]);
-            let slope = motion[1][0] * motion[2][0] + motion[1][1] * motion[2][1];
-            [size, slope, f64::NAN]
-        })?,
+    Ok(PartCourse {
+        x: Some(coordinate(0)?),
+        y: Some(coordinate(1)?),
+        stroke: Stroke::of(&rests, cycle.period, &linkage.mechanism, stroke),
+        pf1: course.extremes(|motion| [modulus(&motion[1]), dot(motion[1], motion[2]), f64::NAN])?,
         pf2: course.extremes(|motion| [modulus(&motion[2]), f64::NAN, f64::NAN])?,
         rests: coordinates(&rests),
+        ..PartCourse::default()
     })
 }
 
@@ -259,8 +251,7 @@ fn force_angles(cycle: &Cycle<'_>, group: usize) -> Result<ForceAngles, Position
     let found = &cycle.linkage.structure.groups[group];
     let force_angle = &found.plugin.force_angle;
     let course = VectorCourse::of(cycle, |position| {
-        let angle = (force_angle.of)(&found.frame, &position.bodies, position.health[group].abs());
-        [[angle], [f64::NAN], [f64::NAN]]
+        alone((force_angle.of)(&found.frame, &position.bodies, position.health[group].abs()))
     });
     Ok(ForceAngles { what: force_angle.words.clone(), extremes: course.extremes(ORDERS[0])? })
 }
@@ -269,7 +260,7 @@ fn positions(
     linkage: &Linkage,
     against: LinkId,
     is_rigid: &dyn Fn(LinkId) -> bool,
-    points: &Each<PointCourse>,
+    points: &Each<PartCourse>,
 ) -> Result<Vec<AtPosition>, PositionError> {
     let mechanism = &linkage.mechanism;
     let scale = linkage.structure.scale;

@@ -1,7 +1,6 @@
 //! Links that do not move against each other: the rigid parts of a mechanism.
 
-use assur_group::plane::minus;
-use assur_group::{Body, GroupFrame, Pair};
+use assur_group::{Body, GroupFrame, Pair, plane::minus};
 use assur_kinematics::{Linkage, Position};
 use assur_mechanism::{GROUND, LinkId, PairId};
 use assur_number::elementary;

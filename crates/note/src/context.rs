@@ -56,7 +56,7 @@ impl Context<'_> {
 
     /// A caption that says to which position the values of the legend belong, the first of the chosen ones.
     pub(super) fn with_legend(&self, caption: Text) -> Text {
-        text!("note-legend-at", caption = caption, place = self.place(self.positions[0]))
+        text!("note-legend-at", caption, place = self.place(self.positions[0]))
     }
 
     pub(super) fn places(&self) -> Text {

@@ -4,8 +4,7 @@
 use assur_analysis::results::Owner;
 use assur_book::{Document, Table, Unit, catalogue};
 use assur_diagram::VectorPlan;
-use assur_figure::number::digits;
-use assur_figure::{Figure, Ink, Panel, Stroke};
+use assur_figure::{Figure, Ink, Panel, Stroke, number::digits};
 use assur_force::{Construction, ConstructionStep};
 use assur_picture::forces::{self, beside_friction};
 use assur_picture::{Look, Reaction, Series, ViewPart, curves, plans, plots};

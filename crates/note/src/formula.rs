@@ -1,9 +1,9 @@
 //! The working of a position as equations.
 
 use assur_book::{Block, Document, Term};
-use assur_words::{Describe, Text, name, number, text, unit};
+use assur_words::{Describe, Text, number, text};
 use assur_working::WorkingError;
-use assur_worksheet::{Entry, Section, Term as Part};
+use assur_worksheet::{Entry, Section};
 
 use super::context::Context;
 use crate::working;
@@ -40,26 +40,6 @@ fn add(section: &Section, page: &mut Document) {
     page.blocks.push(Block::Subheading(section.title.clone()));
     page.blocks.extend(section.entries.iter().map(|entry| match entry {
         Entry::Note(text) => Block::Paragraph(text.clone()),
-        equation => Block::Equation(terms(equation)),
+        equation => Block::Equation(equation.sides().join(&Term::Sign(" = "))),
     }));
-}
-
-fn terms(equation: &Entry) -> Vec<Term> {
-    let term = |part: &Part| match part {
-        Part::Symbol(symbol) => Term::Name(symbol.letter(), symbol.subscript()),
-        Part::Function("sqrt") => Term::Function("√"),
-        Part::Function(name) => Term::Function(name),
-        Part::Number(_) => Term::Number(part.text()),
-        Part::Sign(sign) => Term::Sign(name(sign.replace('*', "·").replace('-', "−"))),
-        Part::Comma => Term::Sign(part.text()),
-        Part::Square => Term::Power("2".to_owned()),
-        Part::Unit(symbol) => Term::Unit(unit(*symbol)),
-    };
-    let sides = equation.sides();
-    let sides: Vec<Vec<Term>> = sides.iter().map(|side| side.iter().map(term).collect()).collect();
-    let words = match equation {
-        Entry::Given { what, .. } if !what.is_empty() => Some(Term::Words(what.clone())),
-        _ => None,
-    };
-    sides.join(&Term::Sign(name(" = "))).into_iter().chain(words).collect()
 }

@@ -90,19 +90,16 @@ fn rich(text: &str) -> String {
 fn equation(sheet: &NoteSheet<'_>, terms: &[Term]) -> String {
     let line = |text: &Text| escaped(&sheet.line(text));
     let term = |term: &Term| match term {
-        Term::Name(letters, below) if below.is_empty() => format!("<i>{}</i>", line(letters)),
-        Term::Name(letters, below) => format!("<i>{}</i><sub>{}</sub>", line(letters), line(below)),
-        Term::Function(text) => escaped(text),
-        Term::Number(text) => line(text),
-        Term::Sign(text) => escaped(&sign(&sheet.line(text))),
-        Term::Power(power) => format!("<sup>{}</sup>", escaped(power)),
-        Term::Unit(unit) => format!(" {}", line(unit)),
+        Term::Symbol(symbol) => {
+            let below = symbol.subscript();
+            let below = if below.is_empty() { String::new() } else { format!("<sub>{}</sub>", line(&below)) };
+            format!("<i>{}</i>{below}", line(&symbol.letter()))
+        }
+        Term::Function("sqrt") => "√".to_owned(),
+        Term::Sign(_) | Term::Comma => line(&term.text()).replace('*', "·").replace('-', "−"),
+        Term::Square => "<sup>2</sup>".to_owned(),
         Term::Words(text) => format!("\u{2003}({})", line(text)),
+        Term::Function(_) | Term::Number(_) | Term::Unit(_) => line(&term.text()),
     };
     terms.iter().map(term).collect()
-}
-
-/// Operators with the signs of print.
-fn sign(text: &str) -> String {
-    text.replace('*', "·").replace('-', "−")
 }

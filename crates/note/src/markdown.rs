@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use assur_book::{Block, Term};
 use assur_figure::svg;
-use assur_words::{Text, text};
+use assur_words::{Text, text, unit};
 
 use super::Written;
 use super::html::TURN;
@@ -64,17 +64,19 @@ fn equation(sheet: &NoteSheet<'_>, terms: &[Term]) -> String {
     let plain =
         |text: &Text| sheet.line(text).replace('\\', "").replace(['{', '}', '$', '<', '>', '&', '`'], " ");
     let word = |text: &Text| format!("\\text{{{}}}", plain(text));
+    let line = |term: &Term| sheet.line(&term.text());
     let term = |term: &Term| match term {
-        Term::Name(letters, below) => {
-            let letters = plain(letters).replace('″', "''").replace('′', "'");
-            if below.is_empty() { letters } else { format!("{letters}_{{{}}}", word(below)) }
+        Term::Symbol(symbol) => {
+            let letters = plain(&symbol.letter()).replace('″', "''").replace('′', "'");
+            let below = symbol.subscript();
+            if below.is_empty() { letters } else { format!("{letters}_{{{}}}", word(&below)) }
         }
-        Term::Function("√") => "\\surd".to_owned(),
+        Term::Function("sqrt") => "\\surd".to_owned(),
         Term::Function(text) => format!("\\operatorname{{{text}}}"),
-        Term::Number(text) => sheet.line(text).replace(',', "{,}").replace('−', "-").replace('·', "\\cdot "),
-        Term::Power(power) => format!("^{{{power}}}"),
-        Term::Sign(text) => sheet.line(text).replace(['·', '*'], "\\cdot ").replace('−', "-"),
-        Term::Unit(unit) => format!("\\ {}", word(unit)),
+        Term::Number(_) => line(term).replace(',', "{,}").replace('−', "-").replace('·', "\\cdot "),
+        Term::Square => "^{2}".to_owned(),
+        Term::Sign(_) | Term::Comma => line(term).replace(['·', '*'], "\\cdot ").replace('−', "-"),
+        Term::Unit(symbol) => format!("\\ {}", word(&unit(*symbol))),
         Term::Words(text) => format!("\\quad ({})", word(text)),
     };
     terms.iter().map(term).collect()

@@ -2,8 +2,7 @@
 
 use assur_analysis::results::{Column, Failure, Owner, Quantity};
 use assur_book::{Block, Document};
-use assur_figure::mechanism::Drawing;
-use assur_figure::{Figure, Item, Panel};
+use assur_figure::{Figure, Item, Panel, mechanism::Drawing};
 use assur_mechanism::LinkId;
 use assur_picture::{Look, ViewPart, curves, mechanism, motion, plans, regime};
 use assur_report::topic;

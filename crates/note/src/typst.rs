@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use assur_book::{Block, Term};
 use assur_figure::svg;
-use assur_words::{Text, text};
+use assur_words::{Text, text, unit};
 
 use super::html::SHORT;
 use super::sheet::{self, Grid, NoteSheet};
@@ -84,27 +84,27 @@ fn rich(text: &str) -> String {
 
 fn equation(sheet: &NoteSheet<'_>, terms: &[Term]) -> String {
     let term = |term: &Term| match term {
-        Term::Name(letters, below) => {
-            let letters = sheet.line(letters);
+        Term::Symbol(symbol) => {
+            let (letters, below) = (sheet.line(&symbol.letter()), symbol.subscript());
             let primes = letters.trim_start_matches(|c: char| c.is_alphabetic());
             let letters = letters.trim_end_matches(primes);
             let letters = if letters.chars().count() > 1 { quoted(letters) } else { letters.to_owned() };
             let primes = "'".repeat(primes.chars().map(|c| if c == '″' { 2 } else { 1 }).sum());
             let below =
-                if below.is_empty() { String::new() } else { format!("_{}", quoted(&sheet.line(below))) };
+                if below.is_empty() { String::new() } else { format!("_{}", quoted(&sheet.line(&below))) };
             format!("{letters}{primes}{below} ")
         }
-        Term::Function("√") => "√".to_owned(),
+        Term::Function("sqrt") => "√".to_owned(),
         Term::Function(text) => format!("op({})", quoted(text)),
-        Term::Number(text) => quoted(&sheet.line(text)) + " ",
-        Term::Power(power) => format!("^{power} "),
-        Term::Sign(text) => sheet
-            .line(text)
+        Term::Number(_) => quoted(&sheet.line(&term.text())) + " ",
+        Term::Square => "^2 ".to_owned(),
+        Term::Sign(_) | Term::Comma => sheet
+            .line(&term.text())
             .replace('/', "\\/")
             .replace(['·', '*'], " dot ")
             .replace('−', "-")
             .replace('"', "\\\""),
-        Term::Unit(unit) => format!(" space {}", quoted(&sheet.line(unit))),
+        Term::Unit(symbol) => format!(" space {}", quoted(&sheet.line(&unit(*symbol)))),
         Term::Words(text) => format!(" quad ({})", quoted(&sheet.line(text))),
     };
     terms.iter().map(term).collect()

@@ -1,11 +1,11 @@
 //! The working of a position or of a sample of a motion.
 
 use assur_analysis::Calculation;
-use assur_analysis::results::{Analysis, Column, Dynamics, Owner, Quantity, Table};
+use assur_analysis::results::{Analysis, Column, Owner, Quantity, Table};
 use assur_figure::extent;
-use assur_mechanism::{Mechanism, Motion, Torque};
+use assur_mechanism::{Mechanism, Motion};
 use assur_words::text;
-use assur_working::{Cycle, Done, Drive, Ending, EnergyForm, PositionOrSample, Task, Working, WorkingError};
+use assur_working::{Done, Ending, EnergyForm, PositionOrSample, Task, Working, WorkingError};
 use assur_worksheet::Section;
 
 /// The working of a position: with its forces, unless the motion is found from an initial state.
@@ -14,19 +14,11 @@ pub fn of_position(calculation: &Calculation, index: usize) -> Result<Working, W
     let is_transient = matches!(mechanism.motion, Some(Motion::Transient { .. }));
     let has_forces = !is_transient && (mechanism.motion.is_some() || mechanism.has_loads());
     let state = calculation.state(mechanism.input.coordinate(index));
-    work(calculation, PositionOrSample::Position(index), state, has_forces)
+    of(calculation, PositionOrSample::Position(index), state, has_forces)
 }
 
-/// The working of a sample of a transient motion, in which the motion has this state.
-pub fn of_sample(
-    calculation: &Calculation,
-    number: usize,
-    state: assur_force::LoadState,
-) -> Result<Working, WorkingError> {
-    work(calculation, PositionOrSample::Sample(number), state, true)
-}
-
-fn work(
+/// The working of a position, or of a sample of a transient motion, in which the motion has this state.
+pub fn of(
     calculation: &Calculation,
     place: PositionOrSample,
     state: assur_force::LoadState,
@@ -35,7 +27,6 @@ fn work(
     // Where the motion is not found, neither are its forces.
     let loads = calculation.loads.as_ref().filter(|_| has_forces && calculation.no_motion.is_none());
     let drive = calculation.drive_in(&state).filter(|_| has_forces);
-    let drive = drive.map(|[moment, inertia]| Drive { moment, inertia });
     let analyzer = calculation.analyzer.map(|analyzer| analyzer.name);
     Working::of(&Task { linkage: &calculation.linkage, loads, state, place, drive, analyzer })
 }
@@ -45,7 +36,7 @@ pub fn energy(analysis: &Analysis, mechanism: &Mechanism) -> Vec<Section> {
     energy_form(analysis, mechanism).map_or_else(Vec::new, |form| form.sections())
 }
 
-fn energy_form<'a>(analysis: &Analysis, mechanism: &'a Mechanism) -> Option<EnergyForm<'a>> {
+fn energy_form<'a>(analysis: &'a Analysis, mechanism: &'a Mechanism) -> Option<EnergyForm<'a>> {
     let table = &analysis.trajectory;
     let last = table.len().checked_sub(1)?;
     let value = |row, quantity, owner| table.get(row, Column::of(quantity, owner));
@@ -55,9 +46,14 @@ fn energy_form<'a>(analysis: &Analysis, mechanism: &'a Mechanism) -> Option<Ener
         Some(Ending { coordinate: of(Quantity::Transfer(0))?, speed: of(Quantity::Velocity)?, energy })
     };
     let schema = table.schema();
-    let cycle = analysis.dynamics.as_ref().map(|dynamics| cycle(dynamics, mechanism));
-    let balanced = cycle.as_ref().is_some_and(|cycle| cycle.balance.is_some());
-    let works = schema.owners(Quantity::Work).into_iter().filter(|owner| *owner != Owner::Input || !balanced);
+    let links = schema.owners(Quantity::KineticEnergy).into_iter().filter_map(|owner| match owner {
+        Owner::Link(link) => Some((link, value(last, Quantity::KineticEnergy, owner)?)),
+        _ => None,
+    });
+    let (ends, links, inertia) = ([ending(0)?, ending(last)?], links.collect(), constant_inertia(table));
+    let cycle = analysis.dynamics.as_ref().map(|found| &found.figures);
+    let form = EnergyForm { mechanism, ends, works: Vec::new(), links, inertia, cycle };
+    let known = |owner: &Owner| *owner != Owner::Input || form.balance().is_none();
     let done = |owner| {
         let (name, load) = match owner {
             Owner::Load(load) => (schema.named(owner)?.into(), Some(load)),
@@ -66,14 +62,8 @@ fn energy_form<'a>(analysis: &Analysis, mechanism: &'a Mechanism) -> Option<Ener
         };
         Some(Done { name, load, work: value(last, Quantity::Work, owner)? })
     };
-    let works: Option<Vec<Done>> = works.map(done).collect();
-    let links = schema.owners(Quantity::KineticEnergy).into_iter().filter_map(|owner| match owner {
-        Owner::Link(link) => Some((link, value(last, Quantity::KineticEnergy, owner)?)),
-        _ => None,
-    });
-    let (ends, works, links) = ([ending(0)?, ending(last)?], works?, links.collect());
-    let inertia = constant_inertia(table);
-    Some(EnergyForm { mechanism, ends, works, links, inertia, cycle })
+    let works = schema.owners(Quantity::Work).into_iter().filter(known).map(done).collect::<Option<_>>()?;
+    Some(EnergyForm { works, ..form })
 }
 
 /// The reduced inertia of all samples that move, where it is one number but for rounding.
@@ -88,17 +78,4 @@ fn constant_inertia(table: &Table) -> Option<f64> {
     let inertia = |row| Some(2.0 * of(row, Quantity::KineticEnergy)? / speed(row)?.powi(2));
     let [least, most] = extent(moving.filter_map(inertia))?;
     (most - least <= ROUNDING * most).then_some(most)
-}
-
-/// The figures of a regime that the energy form needs.
-fn cycle(dynamics: &Dynamics, mechanism: &Mechanism) -> Cycle {
-    let figures = &dynamics.figures;
-    let drive = mechanism.drive.as_ref();
-    let balances = drive.is_some_and(|drive| drive.torque == Torque::Balance);
-    Cycle {
-        speeds: [figures.speed_min, figures.speed_max],
-        extremes: [figures.coordinate_at_min, figures.coordinate_at_max],
-        excess_work: figures.excess_work,
-        balance: figures.torque.filter(|_| balances),
-    }
 }

@@ -30,7 +30,7 @@ pub fn part(rows: &Rows, origin: &Origin) -> Result<Vec<u8>, ParquetError> {
     let mut data = told(origin);
     data.push((TALLY.to_owned(), format!("{} {} {first}", tally.failures, tally.hopeless)));
     data.push((LAST.to_owned(), last(rows)));
-    let mut all = columns(rows.columns());
+    let mut all = columns(&rows.columns);
     for (index, column) in all.iter_mut().enumerate() {
         (0..rows.len()).for_each(|row| column.push(rows.cell(row, index)));
     }
@@ -55,7 +55,7 @@ impl FilePart {
     pub fn read(file: &File, sweep: &Sweep) -> Option<Self> {
         let metadata = ParquetMetaDataReader::new().parse_and_finish(file).ok()?;
         let metadata = metadata.file_metadata();
-        if *metadata.schema() != *schema(&columns(sweep.columns())).ok()? {
+        if *metadata.schema() != *schema(&columns(&sweep.columns)).ok()? {
             return None;
         }
         let data = metadata.key_value_metadata()?.iter();
@@ -88,7 +88,7 @@ pub fn join(
     parts: impl IntoIterator<Item = std::io::Result<File>>,
     out: impl Write + Send,
 ) -> Result<(), ParquetError> {
-    let mut file = Written::new(&columns(sweep.columns()), told(origin), true, out)?;
+    let mut file = Written::new(&columns(&sweep.columns), told(origin), true, out)?;
     for part in parts {
         file.append(&part?)?;
     }
@@ -109,7 +109,7 @@ fn columns(columns: &Columns) -> Vec<Column> {
             Column::of_numbers(name.clone(), true)
         }
     };
-    columns.names().iter().enumerate().map(of).collect()
+    columns.names.iter().enumerate().map(of).collect()
 }
 
 /// The parameters of a row of a file with rows of a sweep: the columns before `status`. `None` without such a row or column.

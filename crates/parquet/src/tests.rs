@@ -68,7 +68,7 @@ fn parquet_reads_back_as_the_same_cells() {
     assert_eq!(rows.len(), 35);
     for (row, found) in rows.iter().enumerate() {
         let names: Vec<_> = found.get_column_iter().map(|(name, _)| name).collect();
-        assert_eq!(names, table.header().iter().collect::<Vec<_>>());
+        assert_eq!(names, table.columns.names.iter().collect::<Vec<_>>());
         for (column, (_, field)) in found.get_column_iter().enumerate() {
             match (table.cell(row, column), field) {
                 (CsvCell::Empty, Field::Null) => {}

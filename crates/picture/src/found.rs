@@ -181,7 +181,7 @@ impl Gather<'_> {
         let mut found = Vec::new();
         for (id, on) in catalogue::reactions(schema) {
             let pair = schema.named(Owner::Pair(id)).map(|name| Named { id, name: name.clone() });
-            let of = pair.map(|pair| (pair, Named { id: on, name: schema.link(on).clone() }));
+            let of = pair.map(|pair| (pair, Named { id: on, name: schema.links[on].clone() }));
             let force = Column::of(Quantity::Force, Owner::PairOn(id, on));
             let (name, series) = (catalogue::owner(schema, force), self.add_all(force));
             let moment = self.add(Column::of(Quantity::Moment, Owner::Pair(id)));

@@ -4,8 +4,7 @@ use assur_kinematics::PositionError;
 use assur_number::{ROUNDING, elementary};
 use nalgebra::{DMatrix, DVector};
 
-use crate::cone::LinearForce;
-use crate::cone::least_maximum;
+use crate::cone::{LinearForce, least_maximum};
 use crate::course::ShakingCourse;
 use crate::data::Proof;
 use crate::samples::Sample;

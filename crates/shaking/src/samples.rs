@@ -9,8 +9,7 @@ use assur_kinematics::{Linkage, Position, PositionError};
 use assur_mechanism::{GROUND, LinkId};
 use assur_number::elementary;
 
-use crate::ShakingError;
-use crate::data::Harmonic;
+use crate::{ShakingError, data::Harmonic};
 
 /// A link that turns about a pin on the ground, and so may carry a counterweight.
 #[derive(Debug, Clone, PartialEq)]

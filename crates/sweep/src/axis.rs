@@ -9,8 +9,7 @@ use assur_scene::{Dimension, Reading, SceneNumber, Unit, quantity};
 use assur_words::{Describe, Text, joined, name, quantity as quantity_of, text, unit as quantity_unit};
 use strum::VariantArray;
 
-use crate::vary::Range as Ends;
-use crate::{SweepError, Tie, Vary};
+use crate::{SweepError, Tie, Vary, vary::Range as Ends};
 
 /// A parameter that was found in the scene.
 #[derive(Debug, Clone)]
@@ -109,10 +108,7 @@ impl Axis {
         {
             let [own, other] = [own, other].map(|kind| kind.describe());
             let key = name(parameters[leader].key.clone());
-            return Err(SweepError::vary(
-                axis.key,
-                text!("sweep-tie-other-quantity", own = own, key = key, other = other),
-            ));
+            return Err(SweepError::vary(axis.key, text!("sweep-tie-other-quantity", own, key, other)));
         }
         Ok(Self { follows: Some((leader, factor)), ..axis })
     }

@@ -2,7 +2,7 @@
 
 use assur_analysis::results::{Column, Edges, Owner, Part, Quantity, Table, Turn};
 use assur_analysis::{Calculation, unwatched};
-use assur_book::{Course, Range, range, range_of};
+use assur_book::{Course, Range, Read, range, range_of};
 use assur_geometry::overview;
 
 use crate::Sweep;
@@ -31,11 +31,7 @@ pub(crate) fn add_rows(found: &mut Measured, calculation: &Calculation, sweep: &
 
 /// Extremes and means over the positions and between them, as a report has them.
 fn between(calculation: &Calculation, table: &Table, edges: &Edges, of: &Gathered) -> Option<Range> {
-    let column = |column: Column| {
-        let course = Course::of(table, Some(edges), Column::COORDINATE, column);
-        range(calculation, &course, column)
-    };
-    let read_range = |read: &dyn Fn(&Table, usize) -> Option<f64>| {
+    let read_range = |read: &Read<'_>| {
         range_of(calculation, &Course::read(table, Some(edges), Column::COORDINATE, read), read)
     };
     let size = |column| read_range(&|table, row| table.get(row, column).map(f64::abs));
@@ -61,9 +57,9 @@ fn between(calculation: &Calculation, table: &Table, edges: &Edges, of: &Gathere
         }
         Gathered::BalancingSize => size(Column::BALANCING),
         Gathered::Moment(joint) => size(Column::of(Quantity::Moment, Owner::Pair(joint.id))),
-        Gathered::Balancing => column(Column::BALANCING),
-        Gathered::Slide(slide) => column(Column::of(Quantity::Transfer(0), Owner::Slide(*slide))),
-        Gathered::Link(link) => column(Column::of(Quantity::Transfer(0), Owner::Link(*link))),
-        Gathered::Point(_, of) | Gathered::Plain(of) => column(*of),
+        Gathered::Column(of) | Gathered::Plain(of) => {
+            let course = Course::of(table, Some(edges), Column::COORDINATE, *of);
+            range(calculation, &course, *of)
+        }
     }
 }

@@ -32,6 +32,6 @@ impl Describe for SweepError {
 impl SweepError {
     /// A parameter (as it was given, or its key) with what is wrong, and what to write.
     pub(crate) fn vary(vary: impl Into<String>, problem: Text) -> Self {
-        Self::Request(text!("sweep-vary", vary = name(vary.into()), problem = problem))
+        Self::Request(text!("sweep-vary", vary = name(vary.into()), problem))
     }
 }

@@ -197,7 +197,7 @@ impl<'a> Builder<'a> {
             Of::Shaking => whole(true),
             Of::Health => least(Gathered::Health),
             Of::Transmission => least(Gathered::Transmission),
-            Of::Balancing => balancing(Gathered::Balancing),
+            Of::Balancing => balancing(Gathered::Column(Column::BALANCING)),
             Of::BalancingSize => balancing(Gathered::BalancingSize),
             Of::Reactions => self.joints.iter().flat_map(|joint| self.reactions(joint)).collect(),
             Of::Targets => {
@@ -245,17 +245,17 @@ impl<'a> Builder<'a> {
             let prefix = format!("{}{word}", self.schema.name(owner));
             Measurand { prefix, column, source }
         };
-        let gathered = |word, column, what| measurand(word, column, Source::Statistic(what));
+        let gathered = |word, of| measurand(word, of, Source::Statistic(Gathered::Column(of)));
         match (of, owner) {
             (Of::Parts, _) | (Of::Moving, Owner::Slide(_) | Owner::Link(_)) => {
                 vec![measurand("_", place, Source::Nth(nth))]
             }
             _ if !self.has(owner) => Vec::new(),
             (Of::Points, Owner::Point(_)) => {
-                [("_x_", x), ("_y_", y)].map(|(word, of)| gathered(word, of, Gathered::Point(nth, of))).into()
+                vec![gathered("_x_", x), gathered("_y_", y)]
             }
-            (Of::Slides, Owner::Slide(slide)) => vec![gathered("_", place, Gathered::Slide(slide))],
-            (Of::Links, Owner::Link(link)) => vec![gathered("_angle_", place, Gathered::Link(link))],
+            (Of::Slides, Owner::Slide(_)) => vec![gathered("_", place)],
+            (Of::Links, Owner::Link(_)) => vec![gathered("_angle_", place)],
             _ => Vec::new(),
         }
     }

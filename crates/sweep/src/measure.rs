@@ -1,12 +1,10 @@
 //! The measures by their names, and their columns: what each is of, what it is called, its unit, and what finds its number.
 
 use assur_analysis::results::Quantity;
-use assur_book::Unit;
-use assur_book::catalogue::KEYS;
+use assur_book::{Unit, catalogue::KEYS};
 use assur_words::{Describe, Text, list, name as words, text};
 
-use crate::SweepError;
-use crate::measured::Measured;
+use crate::{SweepError, measured::Measured};
 
 /// A family of columns.
 #[derive(Debug, Clone, Copy)]
@@ -91,8 +89,8 @@ const GREATEST_AT: Find = |found, number| Some(found.greatest(number)?[1]);
 const MEAN: Find = |found, number| found.means(number)[0];
 const RMS: Find = |found, number| found.means(number)[1];
 /// The greatest magnitudes of both derivatives of a point, slide or link with respect to the coordinate.
-const FIRST: Find = |found, nth| Some(found.courses.get(nth)?.derivatives[0]);
-const SECOND: Find = |found, nth| Some(found.courses.get(nth)?.derivatives[1]);
+const FIRST: Find = |found, nth| Some(found.courses.get(nth)?.pf1.size());
+const SECOND: Find = |found, nth| Some(found.courses.get(nth)?.pf2.size());
 
 /// The statistics of a column of the positions as it is, by the word before the unit.
 pub(crate) const PLAIN: [(&str, Find); 4] = [("min", LEAST), ("max", GREATEST), ("mean", MEAN), ("rms", RMS)];
@@ -138,8 +136,8 @@ columns! {
     "distance" Targets "least_at" In::Coordinate, |found, nth| Some(found.distances.get(nth)?.at_min);
     "distance" Targets "greatest" In::Unit(Unit::LENGTH), |found, nth| Some(found.distances.get(nth)?.max);
     "distance" Targets "greatest_at" In::Coordinate, |found, nth| Some(found.distances.get(nth)?.at_max);
-    "stroke" Moving "stroke" In::Own, |found, nth| found.courses.get(nth)?.stroke;
-    "time-ratio" Moving "time_ratio" NONE, |found, nth| found.courses.get(nth)?.time_ratio;
+    "stroke" Moving "stroke" In::Own, |found, nth| Some(found.courses.get(nth)?.pf0?.range());
+    "time-ratio" Moving "time_ratio" NONE, |found, nth| found.courses.get(nth)?.stroke.as_ref()?.time_ratio;
     "pf" Parts "pf1_greatest" In::Quantity(Quantity::Transfer(1)), FIRST;
     "pf" Parts "pf2_greatest" In::Quantity(Quantity::Transfer(2)), SECOND;
     "speed" Parts "speed_greatest" SPEED, |found, nth| Some(found.speed?.abs() * FIRST(found, nth)?);

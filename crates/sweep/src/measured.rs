@@ -4,8 +4,8 @@ use assur_analysis::results::{Column, FrictionCycle, Turn};
 use assur_book::Range;
 use assur_dynamics::{Instant, Regime, Steady};
 use assur_force::Joint;
-use assur_geometry::{Extremes, PartCourses, Stroke};
-use assur_mechanism::{Input, LinkId, SlideId};
+use assur_geometry::{Extremes, PartCourse};
+use assur_mechanism::Input;
 use assur_number::{Extreme, Statistic};
 use assur_shaking::Size;
 
@@ -18,14 +18,9 @@ pub(crate) enum Gathered {
     Health,
     /// Least transmission angle of all groups.
     Transmission,
-    /// A coordinate of a point, by its number among the points that are wanted.
-    Point(usize, Column),
-    /// Displacement of a slide.
-    Slide(SlideId),
-    /// Continuous angle of a link.
-    Link(LinkId),
-    /// The balancing load, and its magnitude.
-    Balancing,
+    /// A coordinate of a point, the displacement of a slide, the continuous angle of a link, or the balancing load.
+    Column(Column),
+    /// The magnitude of the balancing load.
     BalancingSize,
     /// The greatest force of a pin or slide on one of its links; the statistic at the positions is of its square.
     Force(Joint),
@@ -38,38 +33,16 @@ pub(crate) enum Gathered {
 impl Gathered {
     /// Whether it is the same under all loads.
     fn is_of_places(&self) -> bool {
-        matches!(self, Self::Health | Self::Transmission | Self::Point(..) | Self::Slide(_) | Self::Link(_))
+        match self {
+            Self::Column(column) => *column != Column::BALANCING,
+            other => matches!(other, Self::Health | Self::Transmission),
+        }
     }
 }
 
 /// How many links of a pin or slide are looked at for its greatest force: the forces on two links are opposite.
 pub(crate) fn ends(joint: &Joint) -> usize {
     if joint.links.len() == 2 { 1 } else { joint.links.len() }
-}
-
-/// A point, slide or link over the cycle.
-#[derive(Debug)]
-pub(crate) struct PartCourse {
-    /// Between the extremes of its displacement or angle, m or rad.
-    pub(crate) stroke: Option<f64>,
-    pub(crate) time_ratio: Option<f64>,
-    /// The greatest magnitudes of its first and second derivative with respect to the coordinate.
-    pub(crate) derivatives: [f64; 2],
-}
-
-impl PartCourse {
-    /// The points, then the slides, then the links.
-    pub(crate) fn each(all: &PartCourses) -> Vec<Self> {
-        let part = |pf0: Option<&Extremes>, stroke: Option<&Stroke>, derivatives: [&Extremes; 2]| Self {
-            stroke: pf0.map(|pf0| pf0.max - pf0.min),
-            time_ratio: stroke.and_then(|stroke| stroke.time_ratio),
-            derivatives: derivatives.map(|of| of.min.abs().max(of.max.abs())),
-        };
-        let points = all.points.iter().map(|of| part(None, None, [&of.pf1, &of.pf2]));
-        let slides = all.slides.iter().map(|of| part(Some(&of.pf0), of.stroke.as_ref(), [&of.pf1, &of.pf2]));
-        let links = all.links.iter().map(|of| part(of.pf0.as_ref(), of.stroke.as_ref(), [&of.pf1, &of.pf2]));
-        points.chain(slides).chain(links).collect()
-    }
 }
 
 /// What was found at a point of a sweep.
@@ -92,8 +65,8 @@ pub(crate) struct Measured {
     pub(crate) steady: Option<Box<Steady>>,
     /// Dry friction over the cycle.
     pub(crate) friction: Option<FrictionCycle>,
-    /// The motion of points, slides and links between positions; empty where it was not asked for, or the cycle has a part without a
-    /// solution.
+    /// The motion of the points, then of the slides, then of the links between positions; empty where it was not asked for, or
+    /// the cycle has a part without a solution.
     pub(crate) courses: Vec<PartCourse>,
     /// The speed of an input whose speed is prescribed and constant, rad/s or m/s.
     pub(crate) speed: Option<f64>,

@@ -29,7 +29,7 @@ impl Sweep {
         let lines = |all: Vec<String>| all.join("\n");
         let all = [
             ("version", env!("CARGO_PKG_VERSION").to_owned()),
-            (SCENE, self.scene().to_owned()),
+            (SCENE, self.variants.scene.clone()),
             ("vary", ranges(false)),
             ("tie", ranges(true)),
             ("sample", sample),

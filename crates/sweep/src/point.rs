@@ -48,13 +48,11 @@ impl<'a> Worker<'a> {
     /// The rows of some points.
     pub(crate) fn rows(&mut self, points: Range<usize>) -> Rows {
         let mut rows = Rows::new(&self.sweep.columns, points.start, points.len());
-        points.for_each(|index| self.add(index, &mut rows));
+        for index in points {
+            let ended = self.calculate(index);
+            rows.push(&self.parameters, &self.values, ended);
+        }
         rows
-    }
-
-    fn add(&mut self, index: usize, rows: &mut Rows) {
-        let ended = self.calculate(index);
-        rows.push(&self.parameters, &self.values, ended);
     }
 
     /// Calculates a point and puts its values in order; returns the designation of its motor.
@@ -84,7 +82,7 @@ impl<'a> Worker<'a> {
             if number.is_some_and(|number| !number.is_finite()) {
                 let column = name(self.sweep.columns.value_name(self.values.len()).to_owned());
                 self.values.clear();
-                let message = text!("sweep-not-finite", column = column);
+                let message = text!("sweep-not-finite", column);
                 return Err(Failure { status: Status::Error, message, failed: Some(0) });
             }
             self.values.push(number.unwrap_or(f64::NAN));

@@ -3,16 +3,16 @@
 use assur_scene::edit::decimal;
 use sobol_burley::parts::{hash, owen_scramble_rev, sobol_rev};
 
-use crate::axis::Axis;
-use crate::vary::between;
+use crate::{axis::Axis, vary::between};
 
 /// Most parameters of a sample: Sobol sequences of more dimensions are not available.
 pub(crate) const MOST_SAMPLED: usize = sobol_burley::NUM_DIMENSIONS as usize;
 
 /// The points of a sweep.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Points {
     /// Every value of each parameter with every value of the others; the last parameter changes fastest.
+    #[default]
     Grid,
     /// Points of a Sobol sequence with Owen scrambling: they fill the ranges evenly, and any first part of them does.
     Sample {

@@ -2,7 +2,7 @@
 
 use assur_analysis::Calculation;
 use assur_analysis::plan::Wanted;
-use assur_analysis::results::Part;
+use assur_analysis::results::{Column, Owner, Part};
 use assur_force::{ForceError, Joint, Kinetostatics, LaneKinetostatics};
 use assur_geometry::{courses, distances};
 use assur_group::plane::{dot, vector};
@@ -16,7 +16,7 @@ use assur_words::{Describe, Text, millimeters, number, text};
 use crate::Status;
 use crate::layout::Layout;
 use crate::measure::Of;
-use crate::measured::{Gathered, Measured, PartCourse, ends};
+use crate::measured::{Gathered, Measured, ends};
 use crate::rows::Failure;
 
 /// Most blocks of eight positions that are kept from one point to the next: some ten times what fits into a fast cache, and
@@ -93,7 +93,7 @@ impl<'a> Positions<'a> {
             }
             for (lane, error) in self.forces(&solved, &blocks[position]) {
                 let position = number(block.first + lane);
-                let message = text!("sweep-at-position", position = position, problem = error.describe());
+                let message = text!("sweep-at-position", position, problem = error.describe());
                 failures.push((lane, Status::NoSolution, message));
             }
             self.note(failures);
@@ -110,7 +110,7 @@ impl<'a> Positions<'a> {
             (None, None) if linkage.misfits.iter().any(|misfit| !misfit.fits()) => {
                 let worst = linkage.misfits.iter().map(|misfit| misfit.misfit).fold(0.0, f64::max);
                 let misfit = millimeters(worst, 6);
-                let message = text!("sweep-misfit", misfit = misfit);
+                let message = text!("sweep-misfit", misfit);
                 Err(Failure { status: Status::NoAssembly, message, failed: Some(0) })
             }
             (None, None) => Ok(()),
@@ -147,8 +147,8 @@ impl<'a> Positions<'a> {
         let Wanted { links, slides, points, .. } = &self.calculation.plan.wanted;
         if moved && layout.asks(&[Of::Moving, Of::Parts]) {
             let (links, slides) = (links.iter().copied(), slides.iter().copied());
-            let found = courses(linkage, links, slides, points.iter().map(|(point, _)| *point));
-            self.found.courses = found.as_ref().map(PartCourse::each).unwrap_or_default();
+            let found = courses(linkage, points.iter().map(|(point, _)| *point), slides, links);
+            self.found.courses = found.unwrap_or_default();
         }
         if moved && layout.asks(&[Of::Targets]) {
             let targets = layout.targets.iter().map(|(point, _, from)| (points[*point].1, *from));
@@ -188,13 +188,17 @@ impl<'a> Positions<'a> {
                     };
                     needed().map(of_group).fold(f64::INFINITY, f64::min)
                 }),
-                Gathered::Point(nth, of) => {
-                    let place = plan.wanted.points[*nth].1;
-                    let [x, y] = bodies[place.link].point(vector(place.at));
-                    if of.part == Part::X { x } else { y }
-                }
-                Gathered::Slide(slide) => ScalarMotion::of_slide(&slides[*slide], bodies).pf0,
-                Gathered::Link(link) => angle.follow((linkage, *link), position, block.valid),
+                Gathered::Column(of) => match of.owner {
+                    Owner::Point(point) => {
+                        let wanted = plan.wanted.points.iter().find(|(id, _)| *id == point);
+                        let Some((_, place)) = wanted else { continue };
+                        let [x, y] = bodies[place.link].point(vector(place.at));
+                        if of.part == Part::X { x } else { y }
+                    }
+                    Owner::Slide(slide) => ScalarMotion::of_slide(&slides[slide], bodies).pf0,
+                    Owner::Link(link) => angle.follow((linkage, link), position, block.valid),
+                    _ => continue,
+                },
                 _ => continue,
             };
             statistic.add(block.valid, block.first, values);
@@ -220,7 +224,7 @@ impl<'a> Positions<'a> {
                 std::array::from_fn(|lane| valid[lane] && open.0[lane] == 0.0)
             };
             let (valid, values) = match of {
-                Gathered::Balancing => (valid, reactions.balancing),
+                Gathered::Column(Column::BALANCING) => (valid, reactions.balancing),
                 Gathered::BalancingSize => (valid, reactions.balancing.abs()),
                 Gathered::Force(joint) => (determined(joint), greatest_square(joint, &reactions.pairs)),
                 Gathered::Moment(joint) => {
@@ -236,7 +240,7 @@ impl<'a> Positions<'a> {
             let alone = change_point.then(|| forces.balancing_alone(*lane, state, position)).flatten();
             for (of, statistic) in gathered.iter().zip(&mut *statistics) {
                 match (of, alone) {
-                    (Gathered::Balancing, Some(load)) => statistic.push(first + lane, load),
+                    (Gathered::Column(Column::BALANCING), Some(load)) => statistic.push(first + lane, load),
                     (Gathered::BalancingSize, Some(load)) => statistic.push(first + lane, load.abs()),
                     _ => {}
                 }

@@ -5,8 +5,7 @@ use assur_analysis::results::Owner;
 use assur_kinematics::decompose;
 use assur_mechanism::{GROUND, LinkId, Mechanism, Motion, PairId, Place};
 
-use crate::axis::Axis;
-use crate::variants::Variants;
+use crate::{axis::Axis, variants::Variants};
 
 /// What the parameters of a sweep can change; everything where that is not known.
 #[derive(Debug, Clone)]

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use assur_report::csv::{CsvCell, CsvError, header, rows};
+use assur_report::csv::{CsvCell, CsvError, rows};
 use assur_words::Text;
 use strum::{EnumString, IntoStaticStr};
 
@@ -41,7 +41,8 @@ impl Status {
 /// The columns of a sweep: parameters, status, message, failed positions, values, and the motor where there is one.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Columns {
-    names: Vec<String>,
+    /// Their names.
+    pub names: Vec<String>,
     parameters: usize,
     has_motor: bool,
 }
@@ -53,11 +54,6 @@ impl Columns {
         let motor = has_motor.then(|| "motor".to_owned());
         let names = parameters.into_iter().chain(outcome).chain(values).chain(motor);
         Self { names: assur_report::csv::unique(names), parameters: count, has_motor }
-    }
-
-    /// Their names.
-    pub fn names(&self) -> &[String] {
-        &self.names
     }
 
     /// Name of a value.
@@ -98,8 +94,10 @@ struct Outcome {
 /// Rows of successive points of a sweep.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Rows {
-    pub(crate) columns: Arc<Columns>,
-    first: usize,
+    /// The columns.
+    pub columns: Arc<Columns>,
+    /// Number of the point of the first row.
+    pub first: usize,
     /// The numbers of all columns, one row after the other; NaN is an empty cell.
     numbers: Vec<f64>,
     outcomes: Vec<Outcome>,
@@ -154,21 +152,6 @@ impl Rows {
         }
     }
 
-    /// Number of the point of the first row.
-    pub fn first(&self) -> usize {
-        self.first
-    }
-
-    /// The columns.
-    pub fn columns(&self) -> &Columns {
-        &self.columns
-    }
-
-    /// Names of the columns.
-    pub fn header(&self) -> &[String] {
-        self.columns.names()
-    }
-
     /// How many rows there are.
     pub fn len(&self) -> usize {
         self.outcomes.len()
@@ -205,11 +188,6 @@ fn text(text: &str) -> CsvCell<'_> {
 }
 
 impl Sweep {
-    /// The header row with its line end; `ascii`: no character beyond ASCII.
-    pub fn csv_header(&self, ascii: bool) -> Result<String, CsvError> {
-        header(self.columns.names(), ascii)
-    }
-
     /// Reads what [`Tally`](crate::Tally) counts from a row of CSV without its line end: how the calculation of the
     /// point ended. `None` if it is no row of this sweep: one with another number of columns, or without a status.
     pub fn status_in_csv(&self, row: &str) -> Option<Status> {
@@ -218,7 +196,7 @@ impl Sweep {
             quoted ^= *sign == '"';
             *sign == ',' && !quoted
         };
-        if row.chars().filter(is_comma).count() + 1 != self.columns.names().len() {
+        if row.chars().filter(is_comma).count() + 1 != self.columns.names.len() {
             return None;
         }
         // Parameters are numbers, so there is no quoted comma before the status.
@@ -230,8 +208,9 @@ impl Rows {
     /// The rows as CSV without a header: comma separated, numbers with all their digits; `ascii`: no character beyond
     /// ASCII. A line end is the end of a row.
     pub fn to_csv(&self, ascii: bool) -> Result<String, CsvError> {
-        let row = |row| (0..self.header().len()).map(move |column| self.cell(row, column));
-        rows(self.header(), (0..self.len()).map(row), ascii)
+        let names = &self.columns.names;
+        let row = |row| (0..names.len()).map(move |column| self.cell(row, column));
+        rows(names, (0..self.len()).map(row), ascii)
     }
 }
 
@@ -262,7 +241,7 @@ impl Tally {
     /// Counts rows.
     pub fn of(rows: &Rows) -> Self {
         let mut tally = Self::default();
-        let each = (0..rows.len()).filter_map(|row| Some((rows.first() + row, rows.status(row)?.0)));
+        let each = (0..rows.len()).filter_map(|row| Some((rows.first + row, rows.status(row)?.0)));
         each.for_each(|(point, status)| tally.add(point, status));
         tally
     }

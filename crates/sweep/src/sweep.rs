@@ -43,7 +43,7 @@ const MOST_ROWS: usize = 65_536;
 const PART_NUMBERS: usize = 1 << 23;
 
 /// What a sweep calculates.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub struct SweepRequest {
     /// The points.
     pub points: Points,
@@ -51,25 +51,12 @@ pub struct SweepRequest {
     pub ties: Vec<Tie>,
     /// Places from which the distance of a point is measured.
     pub targets: Vec<Target>,
-    /// The families of columns.
+    /// The families of columns; the usual ones where none is named.
     pub measures: Vec<Measure>,
     /// Whether extremes, means and root mean squares are found between the positions too, as a report has them.
     pub between: bool,
     /// The methods.
     pub options: Options,
-}
-
-impl Default for SweepRequest {
-    fn default() -> Self {
-        Self {
-            points: Points::Grid,
-            ties: Vec::new(),
-            targets: Vec::new(),
-            measures: Measure::defaults(),
-            between: false,
-            options: Options::default(),
-        }
-    }
 }
 
 /// A scene and the points at which it is calculated, ready to be run.
@@ -83,7 +70,8 @@ pub struct Sweep {
     /// Whether extremes and means are found between the positions too.
     pub(crate) between: bool,
     pub(crate) options: Options,
-    pub(crate) columns: Arc<Columns>,
+    /// The columns of its rows.
+    pub columns: Arc<Columns>,
     count: usize,
     /// What is probably not meant in the call itself.
     warnings: Vec<(Text, Text)>,
@@ -106,6 +94,7 @@ impl Sweep {
             return Err(SweepError::Request(text!("sweep-nothing-varied")));
         }
         let SweepRequest { points, ties, targets, measures, between, options } = request;
+        let measures = if measures.is_empty() { Measure::defaults() } else { measures };
         let count = count(points, vary)?;
         let document = ParsedText::of(scene);
         let axis = |vary| Axis::of(vary, &document, &reading);
@@ -120,7 +109,7 @@ impl Sweep {
             }
         }
         let variants = Variants::of(file_name, scene, reading.mechanism, &axes);
-        let richest = variants.richest(&axes).unwrap_or_else(|| variants.base().clone());
+        let richest = variants.richest(&axes).unwrap_or_else(|| variants.base.clone());
         let reach = Reach::of(&richest, &variants, &axes);
         let layout = Layout::of(&richest, &options, reach, (&measures, &targets))?;
         let places = richest.points.iter().flat_map(|point| &point.places);
@@ -131,16 +120,6 @@ impl Sweep {
         let names = layout.values.iter().map(|value| value.name.clone()).collect();
         let columns = Arc::new(Columns::new(parameters, names, layout.has_motor));
         Ok(Self { axes, points, variants, layout, measures, between, options, columns, count, warnings })
-    }
-
-    /// The columns of its rows.
-    pub fn columns(&self) -> &Columns {
-        &self.columns
-    }
-
-    /// The text of the scene.
-    pub fn scene(&self) -> &str {
-        self.variants.scene()
     }
 
     /// The parameters and what follows them, with their ranges, one text each, as they are given: `link.crank.mass=1 kg..5 kg:9`.
@@ -163,7 +142,7 @@ impl Sweep {
     /// Rows of each part of a Parquet file of `points` rows, except the last part: few enough to keep in memory.
     pub fn rows_of_part(&self, points: usize) -> usize {
         let few = points.div_ceil(PARTS).clamp(PARTS, MOST_ROWS);
-        few.min(PART_NUMBERS / self.columns.names().len().max(1)).max(1)
+        few.min(PART_NUMBERS / self.columns.names.len().max(1)).max(1)
     }
 
     /// The points of part `part` of `parts` (from 1), in which the points are divided in their order.
@@ -187,7 +166,7 @@ impl Sweep {
         encode: impl Fn(Rows) -> T + Sync,
         mut accept: impl FnMut(T) -> Result<(), E>,
     ) -> Result<(), E> {
-        let together = BLOCK.min(NUMBERS / self.columns.names().len().max(1)).max(1);
+        let together = BLOCK.min(NUMBERS / self.columns.names.len().max(1)).max(1);
         let blocks = points.len().div_ceil(together);
         // A thread takes the next block when it is free, notes that it has taken it, and has a channel of its own: the order
         // needs no sorting.
@@ -249,7 +228,7 @@ impl Sweep {
     /// and the note.
     pub fn warnings(&self) -> Vec<(Text, Text)> {
         let mut numbers: Vec<f64> = self.axes.iter().map(|axis| axis.from).collect();
-        let known = &self.variants.base().warnings;
+        let known = &self.variants.base.warnings;
         let mut found = self.warnings.clone();
         for (index, axis) in self.axes.iter().enumerate().filter(|(_, axis)| axis.warning().is_none()) {
             for end in [axis.from, axis.to] {

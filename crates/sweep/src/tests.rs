@@ -84,8 +84,8 @@ fn run(scene: &str, vary: &[&str], threads: usize) -> Rows {
 }
 
 fn column(table: &Rows, name: &str) -> usize {
-    let found = table.header().iter().position(|column| column == name);
-    found.unwrap_or_else(|| panic!("no column {name}: {:?}", table.header()))
+    let found = table.columns.names.iter().position(|column| column == name);
+    found.unwrap_or_else(|| panic!("no column {name}: {:?}", table.columns.names))
 }
 
 /// The numbers of a column, which has one in every row.

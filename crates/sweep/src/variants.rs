@@ -5,8 +5,7 @@
 //! read from the text of the scene with its values in it, which always holds and takes longer.
 
 use assur_mechanism::{Mechanism, links_of_length_zero};
-use assur_scene::edit::replaced;
-use assur_scene::{LEAST, SceneErrors};
+use assur_scene::{LEAST, SceneErrors, edit::replaced};
 
 use crate::axis::Axis;
 
@@ -14,9 +13,10 @@ use crate::axis::Axis;
 #[derive(Debug, Clone)]
 pub(crate) struct Variants {
     file: String,
-    scene: String,
+    /// The text of the scene.
+    pub(crate) scene: String,
     /// The mechanism of the scene itself.
-    base: Mechanism,
+    pub(crate) base: Mechanism,
     /// Whether setting numbers is enough: the parameters in the order in which they are set.
     order: Option<Vec<usize>>,
 }
@@ -80,16 +80,6 @@ impl Variants {
         };
         let tried = [ends(|axis| [axis.to, axis.from]), ends(|axis| [axis.from, axis.to])];
         tried.iter().find_map(|numbers| self.at(axes, numbers).ok())
-    }
-
-    /// The mechanism of the scene itself.
-    pub(crate) fn base(&self) -> &Mechanism {
-        &self.base
-    }
-
-    /// The text of the scene.
-    pub(crate) fn scene(&self) -> &str {
-        &self.scene
     }
 
     /// Whether the mechanisms are made by setting numbers.

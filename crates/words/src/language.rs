@@ -3,13 +3,11 @@
 use std::fmt::{self, Display};
 use std::sync::OnceLock;
 
-use fluent_bundle::concurrent::FluentBundle;
-use fluent_bundle::{FluentArgs, FluentResource, FluentValue};
+use fluent_bundle::{FluentArgs, FluentResource, FluentValue, concurrent::FluentBundle};
 use serde::{Serialize, Serializer};
 use unic_langid::LanguageIdentifier;
 
-use crate::Text;
-use crate::text::Content;
+use crate::{Text, text::Content};
 
 /// The codes of the languages, English first.
 pub const LANGUAGES: [&str; 3] = ["en", "uk", "ru"];
@@ -77,11 +75,6 @@ impl Language {
         }
     }
 
-    /// Whether there is a text of this identity, for one that is optional: `quantity-speed.also`.
-    pub fn has(&self, id: &str) -> bool {
-        self.formatted(id, &FluentArgs::new()).is_some()
-    }
-
     /// What this language itself has of an identity without values, for one that is optional: `do-pick.also`.
     pub fn own(&self, id: &str) -> Option<String> {
         self.formatted(id, &FluentArgs::new())
@@ -140,10 +133,7 @@ impl Language {
             let power: String = power.trim_start_matches('^').chars().map(raised).collect();
             let own = match base {
                 "" => return factor.to_owned(),
-                base => {
-                    let id = format!("unit-{base}");
-                    if self.has(&id) { self.message(&id, &[]) } else { base.to_owned() }
-                }
+                base => self.own(&format!("unit-{base}")).unwrap_or_else(|| base.to_owned()),
             };
             own + &power
         };

@@ -10,8 +10,7 @@ mod text;
 
 pub use ascii::{latin, to_ascii};
 pub use inventory;
-pub use language::Resource;
-pub use language::{LANGUAGES, Language};
+pub use language::{LANGUAGES, Language, Resource};
 pub use text::{
     Describe, Text, Told, coordinate, count, degrees, joined, list, millimeters, name, number, quantity,
     text_of, unit,

@@ -1,8 +1,6 @@
 //! A text by its identity and values.
 
-use std::borrow::Cow;
-use std::fmt::Display;
-use std::io;
+use std::{borrow::Cow, fmt::Display, io};
 
 /// A text that a person reads, before it is put into a language.
 ///

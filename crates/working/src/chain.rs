@@ -5,8 +5,7 @@ use std::f64::consts::TAU;
 use assur_mechanism::PairId;
 use assur_structure::roman;
 use assur_words::{Text, list, name, text};
-use assur_worksheet::dyad::along;
-use assur_worksheet::{Symbol, plugin_for};
+use assur_worksheet::{Symbol, dyad::along, plugin_for};
 
 use crate::{Work, WorkingError};
 

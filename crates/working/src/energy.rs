@@ -3,7 +3,8 @@
 
 use std::f64::consts::PI;
 
-use assur_mechanism::{LinkId, LoadId, Mechanism};
+use assur_dynamics::Figures;
+use assur_mechanism::{LinkId, LoadId, Mechanism, Torque};
 use assur_words::{self as words, Text, joined, text, unit};
 use assur_worksheet::{Expr, Names, Section, Sheet, Symbol, Units};
 
@@ -31,19 +32,6 @@ pub struct Done {
     pub work: f64,
 }
 
-/// What a flywheel is for: the figures of a regime.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Cycle {
-    /// The least and the greatest speed, rad/s (m/s).
-    pub speeds: [f64; 2],
-    /// Coordinates at which they occur, rad (m).
-    pub extremes: [f64; 2],
-    /// Excess work between them, J.
-    pub excess_work: f64,
-    /// The constant moment (force) of the drive that makes the work of the cycle zero, where the scene asks for it, N m (N).
-    pub balance: Option<f64>,
-}
-
 /// A motion whose energy form is worked.
 #[derive(Debug, Clone, PartialEq)]
 pub struct EnergyForm<'a> {
@@ -57,8 +45,8 @@ pub struct EnergyForm<'a> {
     pub links: Vec<(LinkId, f64)>,
     /// Inertia reduced to the input, kg m² (kg), where it is the same all the time.
     pub inertia: Option<f64>,
-    /// A cycle of a regime; else a motion from an initial state.
-    pub cycle: Option<Cycle>,
+    /// The figures of a regime, of which this is a cycle; else it is a motion from an initial state.
+    pub cycle: Option<&'a Figures>,
 }
 
 /// The working under construction.
@@ -86,7 +74,7 @@ impl EnergyForm<'_> {
         let mut work = Work { form: self, sheet, moments: Vec::new() };
         let way = work.way();
         let [driving, resisting] = work.works();
-        match &self.cycle {
+        match self.cycle {
             None => {
                 work.speed(&(driving - resisting));
                 work.uniform();
@@ -94,6 +82,12 @@ impl EnergyForm<'_> {
             Some(cycle) => work.flywheel(cycle, &way, &(driving - resisting)),
         }
         work.sheet.sections
+    }
+
+    /// The constant moment (force) of the drive that makes the work of the cycle zero, where the scene asks for it, N m (N).
+    pub fn balance(&self) -> Option<f64> {
+        let drive = self.mechanism.drive.as_ref()?;
+        self.cycle?.torque.filter(|_| drive.torque == Torque::Balance)
     }
 }
 
@@ -156,7 +150,7 @@ impl Work<'_> {
             }
         }
         self.sheet.note(text!("working-energy-sums"));
-        let balances = self.form.cycle.as_ref().is_some_and(|cycle| cycle.balance.is_some());
+        let balances = self.form.balance().is_some();
         let [driving, resisting] = sums;
         [("working-of-drive", driving), ("working-of-resistance", resisting)].map(|(below, sum)| {
             // The drive that balances the loads does a work, too, which is still to be found.
@@ -264,9 +258,9 @@ impl Work<'_> {
     }
 
     /// The flywheel of a cycle (E eqs. 7, 10, example 2).
-    fn flywheel(&mut self, cycle: &Cycle, way: &Expr, excess: &Expr) {
+    fn flywheel(&mut self, cycle: &Figures, way: &Expr, excess: &Expr) {
         let mut balance = Expr::zero();
-        if let Some(moment) = cycle.balance {
+        if let Some(moment) = self.form.balance() {
             balance = self.balance(moment, way, excess);
         }
         self.sheet.section(text!("working-energy-extremes"));
@@ -275,12 +269,13 @@ impl Work<'_> {
         let told = if is_constant { "working-energy-where" } else { "working-energy-where-it-varies" };
         self.sheet.note(text!(told));
         let [least, greatest] = ["working-of-least", "working-of-greatest"].map(|below| text!(below));
-        let places = [(&least, cycle.extremes[0]), (&greatest, cycle.extremes[1])].map(|(below, value)| {
+        let extremes = [cycle.coordinate_at_min, cycle.coordinate_at_max];
+        let places = [(&least, extremes[0]), (&greatest, extremes[1])].map(|(below, value)| {
             let value = self.coordinate(value);
             self.sheet.work(Symbol::from("φ").of(below), &value, self.sheet.units.input[0])
         });
         let between = self.sheet.work("Δφ", &(&places[1] - &places[0]), self.sheet.units.input[0]);
-        let speeds = [(&least, cycle.speeds[0]), (&greatest, cycle.speeds[1])].map(|(below, value)| {
+        let speeds = [(&least, cycle.speed_min), (&greatest, cycle.speed_max)].map(|(below, value)| {
             self.sheet.given(Symbol::from("ω").of(below), value, self.sheet.units.input[1], Text::default())
         });
         let mean = Symbol::from("ω").of(text!("working-of-mean"));
@@ -289,7 +284,7 @@ impl Work<'_> {
         let uneven = self.sheet.work("δ", &((&speeds[1] - &speeds[0]) / &mean), "");
         self.sheet.section(text!("working-energy-excess"));
         let symbol = Symbol::from("A").of(text!("working-of-excess"));
-        let work = match self.excess_between(cycle, &balance, &between) {
+        let work = match self.excess_between(extremes, &balance, &between) {
             Some(work) => self.sheet.work(symbol, &work, "J"),
             None => self.sheet.given(symbol, cycle.excess_work, "J", text!("working-energy-by-quadrature")),
         };
@@ -327,15 +322,15 @@ impl Work<'_> {
     }
 
     /// The work of everything between the places of least and greatest speed, if all of it can be followed by hand.
-    fn excess_between(&mut self, cycle: &Cycle, balance: &Expr, between: &Expr) -> Option<Expr> {
+    fn excess_between(&mut self, extremes: [f64; 2], balance: &Expr, between: &Expr) -> Option<Expr> {
         let mechanism = self.form.mechanism;
         let areas: Option<Vec<_>> = self
             .form
             .works
             .iter()
-            .map(|done| Some((area_under(mechanism, done.load?, cycle.extremes)?, done.name.clone())))
+            .map(|done| Some((area_under(mechanism, done.load?, extremes)?, done.name.clone())))
             .collect();
-        let areas = areas.filter(|_| cycle.balance.is_some())?;
+        let areas = areas.filter(|_| self.form.balance().is_some())?;
         self.sheet.note(text!("working-energy-between"));
         let sum = areas.iter().fold(Expr::zero(), |sum, (area, name)| sum + self.area(area, name));
         Some(sum + balance * between)

@@ -14,17 +14,14 @@ impl Work<'_> {
         self.sheet.note(text!("working-reduced-inertia"));
         let [inertia, slope] = self.reduced_inertia(units.inertia);
         self.sheet.note(text!("working-reduced-moment"));
-        let powers: Vec<_> =
-            (1..self.linkage.structure.links).map(|link| self.sheet.power_of(link)).collect();
-        let sum = powers.into_iter().fold(Expr::zero(), |sum, power| sum + power);
-        let moment = self.sheet.work("Q", &sum, units.moment);
+        let moment = self.total_power("Q");
         self.reduce_to_point(&inertia, &moment);
-        let Some(drive) = self.drive else { return };
+        let Some([driving, own]) = self.drive else { return };
         self.sheet.section(text!("working-equation"));
         let what = text!("working-driving-moment");
-        let driving = self.sheet.given(of_drive("M"), drive.moment, units.moment, what);
+        let driving = self.sheet.given(of_drive("M"), driving, units.moment, what);
         let what = text!("working-inertia-of-drive");
-        let own = self.sheet.given(of_drive("J"), drive.inertia, units.inertia[0], what);
+        let own = self.sheet.given(of_drive("J"), own, units.inertia[0], what);
         let w = self.sheet.find("ω").unwrap_or_else(Expr::zero);
         let kinetic = slope * w.squared() / Expr::number(2.0);
         let unknown = Expr::symbol("ε", f64::NAN);

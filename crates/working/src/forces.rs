@@ -70,7 +70,7 @@ impl Work<'_> {
             return None;
         }
         self.sheet.section(text!("working-balancing-load"));
-        let power = self.total_power();
+        let power = self.total_power("W");
         self.sheet.note(text!("working-unit-power"));
         match balance {
             Balance::Moment(link) => {
@@ -95,16 +95,17 @@ impl Work<'_> {
         }
     }
 
-    fn total_power(&mut self) -> Expr {
+    /// Writes the power of the applied loads on all links for dq = 1.
+    pub(crate) fn total_power(&mut self, symbol: &'static str) -> Expr {
         let each: Vec<_> = (1..self.linkage.structure.links).map(|link| self.sheet.power_of(link)).collect();
         let sum = each.into_iter().fold(Expr::zero(), |sum, power| sum + power);
-        self.sheet.work("W", &sum, self.sheet.units.moment)
+        self.sheet.work(symbol, &sum, self.sheet.units.moment)
     }
 
     fn virtual_power(&mut self) {
         self.sheet.section(text!("working-check-by-power"));
         self.sheet.note(text!("working-whole-power"));
-        let power = self.total_power();
+        let power = self.total_power("W");
         let symbol = self.balancing_at_input();
         self.sheet.work(symbol.clone().of(text!("working-by-power")), &-power, self.sheet.units.moment);
         self.sheet.note(text!("working-must-be", quantity = &symbol));

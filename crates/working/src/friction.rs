@@ -73,14 +73,14 @@ impl Work<'_> {
         let radius = number(format_args!("{:.6}", found.radius));
         let proved = found.radius < 1.0;
         let id = if proved { "working-friction-block" } else { "working-friction-block-not-proved" };
-        self.sheet.note(text!(id, what = &found.what, radius = radius));
+        self.sheet.note(text!(id, what = &found.what, radius));
         for (step, z) in found.steps.iter().enumerate() {
             let moduli = moduli(z);
-            self.sheet.note(text!("working-friction-step", step = step, moduli = moduli));
+            self.sheet.note(text!("working-friction-step", step, moduli));
         }
         if let Some(z) = &found.solution {
             let moduli = moduli(z);
-            self.sheet.note(text!("working-friction-newton", moduli = moduli));
+            self.sheet.note(text!("working-friction-newton", moduli));
         }
     }
 
@@ -140,11 +140,11 @@ fn modulus(mechanism: &Mechanism, bearing: &Bearing, kind: UnknownKind) -> Text 
     let pair = Text::from(name_of(mechanism, bearing.pair));
     match kind {
         UnknownKind::Force => {
-            text!("working-friction-pin", pair = pair, link = Text::from(&mechanism.links[bearing.link].name))
+            text!("working-friction-pin", pair, link = Text::from(&mechanism.links[bearing.link].name))
         }
         UnknownKind::End(end) => {
-            text!("working-friction-end", pair = pair, end = number(if end > 0.0 { 1 } else { 2 }))
+            text!("working-friction-end", pair, end = number(if end > 0.0 { 1 } else { 2 }))
         }
-        UnknownKind::Normal | UnknownKind::Shift => text!("working-friction-normal", pair = pair),
+        UnknownKind::Normal | UnknownKind::Shift => text!("working-friction-normal", pair),
     }
 }

@@ -19,7 +19,7 @@ mod loads;
 mod method;
 mod names;
 
-pub use energy::{Cycle, Done, Ending, EnergyForm};
+pub use energy::{Done, Ending, EnergyForm};
 
 use assur_force::{LoadError, LoadState, Loads};
 use assur_group::{Body, Order};
@@ -96,8 +96,9 @@ pub struct Task<'a> {
     pub state: LoadState,
     /// Which position it is.
     pub place: PositionOrSample,
-    /// What drives the input where its acceleration follows from the equation of motion.
-    pub drive: Option<Drive>,
+    /// What drives the input where its acceleration follows from the equation of motion, reduced to it and positive along the
+    /// coordinate: moment, N m (force, N), and moment of inertia of flywheel and rotor, kg m² (mass, kg).
+    pub drive: Option<[f64; 2]>,
     /// Name of the force analyzer whose working follows that of the groups, where it has one.
     pub analyzer: Option<&'a str>,
 }
@@ -127,21 +128,12 @@ impl Describe for PositionOrSample {
     }
 }
 
-/// The drive of the input link in a state, reduced to it; positive along the coordinate.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Drive {
-    /// Its moment, N m (force, N).
-    pub moment: f64,
-    /// Moment of inertia of flywheel and rotor, kg m² (mass, kg).
-    pub inertia: f64,
-}
-
 /// Data that all parts of a working use.
 pub(crate) struct Work<'a> {
     pub(crate) linkage: &'a Linkage,
     pub(crate) bodies: &'a [Body<f64>],
     pub(crate) state: LoadState,
-    pub(crate) drive: Option<Drive>,
+    pub(crate) drive: Option<[f64; 2]>,
     pub(crate) sheet: Sheet,
     pub(crate) general: Vec<usize>,
     /// Whether kinds may write their own equations; otherwise the general linear system is used for all.

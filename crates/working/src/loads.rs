@@ -1,8 +1,7 @@
 //! The loads of each link in this position.
 
 use assur_force::{Cause, Loads};
-use assur_group::Wrench;
-use assur_group::plane::direction;
+use assur_group::{Wrench, plane::direction};
 use assur_mechanism::{Contact, Direction, Force, GROUND, Inertia, LinkId, LoadKind, Place, Spring};
 use assur_words::{Text, name, text};
 use assur_worksheet::{Expr, Point, Symbol, WorkedLoad};

@@ -4,8 +4,7 @@ use std::borrow::Borrow;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 use std::sync::Arc;
 
-use crate::Symbol;
-use crate::figure::rounded;
+use crate::{Symbol, figure::rounded};
 
 /// An expression of named quantities; cheap to clone.
 ///

@@ -28,8 +28,7 @@ pub use line::{Entry, Line, RESULT_DIGITS, Section};
 pub use load::{Reaction, WorkedLoad};
 pub use place::{Guide, Point, Pose, Rod};
 pub use render::{WIDTH, text};
-pub use sheet::{Names, Sheet, Units};
-pub use sheet::{WorkingPlugin, Write, plugin_for};
+pub use sheet::{Names, Sheet, Units, WorkingPlugin, Write, plugin_for};
 pub use symbol::{Symbol, plain};
 pub use term::Term;
 

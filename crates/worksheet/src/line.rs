@@ -95,13 +95,15 @@ impl Entry {
     pub fn sides(&self) -> Vec<Vec<Term>> {
         let result = |digits: &str, unit: &'static str| {
             let unit = (!unit.is_empty()).then_some(Term::Unit(unit));
-            std::iter::once(Term::Number(digits.to_owned())).chain(unit).collect()
+            std::iter::once(Term::Number(digits.to_owned())).chain(unit).collect::<Vec<_>>()
         };
         match self {
             Self::Note(_) => Vec::new(),
             Self::Equation(sides) => sides.iter().map(|side| side.terms(Show::Names)).collect(),
-            Self::Given { symbol, result: digits, unit, .. } => {
-                vec![vec![Term::Symbol(symbol.clone())], result(digits, unit)]
+            Self::Given { symbol, result: digits, unit, what, .. } => {
+                let mut given = result(digits, unit);
+                given.extend((!what.is_empty()).then(|| Term::Words(what.clone())));
+                vec![vec![Term::Symbol(symbol.clone())], given]
             }
             Self::Line(line) => {
                 let mut sides = vec![vec![Term::Symbol(line.symbol.clone())]];

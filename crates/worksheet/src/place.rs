@@ -4,8 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use assur_words::{Text, joined, name, number, text, unit};
 
-use crate::figure::shortest;
-use crate::{Expr, RESULT_DIGITS, Sheet, Symbol};
+use crate::{Expr, RESULT_DIGITS, Sheet, Symbol, figure::shortest};
 
 /// A point and its transfer functions.
 #[derive(Debug, Clone, PartialEq)]

@@ -2,8 +2,7 @@
 
 use assur_words::Language;
 
-use crate::symbol::plain;
-use crate::{Entry, Section, Term};
+use crate::{Entry, Section, Term, symbol::plain};
 
 /// Greatest width of a row that is printed on paper, characters.
 pub const WIDTH: usize = 100;
@@ -39,13 +38,7 @@ fn write(entry: &Entry, width: usize, language: &Language, out: &mut String) {
     }
     let side =
         |terms: Vec<Term>| plain(&terms.iter().map(|term| term.text().render(language)).collect::<String>());
-    let mut sides: Vec<String> = entry.sides().into_iter().map(side).collect();
-    match (entry, sides.last_mut()) {
-        (Entry::Given { what, .. }, Some(last)) if !what.is_empty() => {
-            *last = format!("{last}  ({})", plain(&what.render(language)));
-        }
-        _ => {}
-    }
+    let sides: Vec<String> = entry.sides().into_iter().map(side).collect();
     equation(&sides, width, out);
 }
 

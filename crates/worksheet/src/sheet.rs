@@ -6,8 +6,7 @@ use assur_group::{Body, BuildError, GroupFrame};
 use assur_plugin::RegistryError;
 use assur_words::{Language, Text, text};
 
-use crate::figure::shortest;
-use crate::{Entry, Expr, Line, Point, Pose, Reaction, Section, Symbol, WorkedLoad};
+use crate::{Entry, Expr, Line, Point, Pose, Reaction, Section, Symbol, WorkedLoad, figure::shortest};
 
 /// Number of digits of a given quantity.
 const GIVEN_DIGITS: usize = 9;

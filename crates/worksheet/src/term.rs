@@ -1,6 +1,6 @@
 //! An expression as a row of terms, from which every form of it is printed.
 
-use assur_words::{Text, name, number, text, unit};
+use assur_words::{Text, joined, name, number, text, unit};
 
 use crate::Symbol;
 use crate::expr::{Expr, Node};
@@ -23,6 +23,8 @@ pub enum Term {
     Square,
     /// The unit of the number before it.
     Unit(&'static str),
+    /// What the quantity is, in words behind the equation.
+    Words(Text),
 }
 
 impl Term {
@@ -36,7 +38,8 @@ impl Term {
             Self::Sign(sign) => name(*sign),
             Self::Comma => text!("worksheet-between-arguments"),
             Self::Square => name("^2"),
-            Self::Unit(symbol) => assur_words::joined("", [name(" "), unit(*symbol)]),
+            Self::Unit(symbol) => joined("", [name(" "), unit(*symbol)]),
+            Self::Words(words) => joined("", [name("  ("), words.clone(), name(")")]),
         }
     }
 }

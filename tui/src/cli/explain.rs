@@ -3,7 +3,7 @@
 use assur_analysis::{Options, method_of_motion, methods, plan};
 use assur_note::working;
 use assur_words::{Describe, number, text};
-use assur_working::WorkingError;
+use assur_working::{PositionOrSample, WorkingError};
 
 use super::args::ExplainArgs;
 use super::fault::{Fault, Status};
@@ -58,7 +58,7 @@ fn working(session: &Session, options: &Options, index: usize, style: Style) -> 
     let verdict = Verdict::of_motion(&study, session);
     verdict.tell(style);
     let worked = match study.sample(index) {
-        (Some(state), _) => working::of_sample(&study, index, state),
+        (Some(state), _) => working::of(&study, PositionOrSample::Sample(index), state, true),
         (None, 0) => working::of_position(&study, index),
         (None, count) => {
             let [sample, last] = [index, count - 1].map(number);

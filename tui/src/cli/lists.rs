@@ -19,7 +19,7 @@ use super::{output, scene};
 pub(crate) fn plugins(style: Style) -> Result<Status, Fault> {
     let mut rows = Vec::new();
     let mut add = |sort: &'static str, of: [&'static str; 2], told: [&Text; 2]| {
-        rows.push(row![text!(sort), of[0], of[1], told[0].clone(), told[1].clone()]);
+        rows.push(row![text!(sort), name(of[0]), name(of[1]), told[0].clone(), told[1].clone()]);
     };
     for plugin in assur_group::groups().map_err(Fault::told)? {
         add("cli-plugin-group", [plugin.name, plugin.crate_name], [&plugin.summary, &plugin.source]);

@@ -181,7 +181,7 @@ impl<'a> Job<'a> {
 
     /// What the rows take as CSV, at most about.
     fn bytes(&self) -> f64 {
-        self.points.len() as f64 * self.sweep.columns().names().len() as f64 * BYTES_OF_NUMBER
+        self.points.len() as f64 * self.sweep.columns.names.len() as f64 * BYTES_OF_NUMBER
     }
 
     /// Refuses rows that need more room than the file system of the target has.
@@ -204,7 +204,7 @@ impl<'a> Job<'a> {
     }
 
     fn tell_size(&self) {
-        let (rows, columns) = (self.points.len(), self.sweep.columns().names().len());
+        let (rows, columns) = (self.points.len(), self.sweep.columns.names.len());
         if rows >= LONG {
             let megabytes = (self.bytes() / 1e6).ceil();
             let [rows, columns] = [rows, columns].map(number);

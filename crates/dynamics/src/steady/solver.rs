@@ -105,6 +105,11 @@ impl<'a> RegimeSolver<'a> {
         if power > 0.0 { power / efficiency } else { power * efficiency }
     }
 
+    /// How often the machine was evaluated up to now.
+    pub fn evaluations(&self) -> usize {
+        self.shooting.path.evaluations
+    }
+
     /// Greatest resisting moment over the cycle, N m, against the motion.
     pub fn greatest_resistance(&self) -> f64 {
         let nodes = self.shooting.panels.iter().flat_map(|panel| &panel.coefficients.nodes);

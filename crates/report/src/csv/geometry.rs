@@ -1,6 +1,6 @@
 //! The geometry of the motion, one row for each position.
 
-use assur_geometry::{AtPosition, CenterAt, Geometry};
+use assur_geometry::{AtPosition, Geometry};
 use assur_shaking::Shaking;
 
 use super::{CsvCell, CsvError, write};
@@ -30,8 +30,8 @@ fn row(found: &Geometry, at: &AtPosition) -> Vec<CsvCell<'static>> {
     let mut cells = vec![Some(at.index as f64), Some(at.coordinate)];
     let both = |place: Option<[f64; 2]>| [0, 1].map(|axis| place.map(|place| place[axis]));
     for centers in at.links.values() {
-        let center = if let CenterAt::Point(center) = centers.center { Some(center) } else { None };
-        let all = [center, centers.on_link, centers.inflection_pole, centers.acceleration_pole];
+        let all =
+            [centers.center.point(), centers.on_link, centers.inflection_pole, centers.acceleration_pole];
         cells.extend(all.into_iter().flat_map(both));
     }
     for name in found.points.keys() {

@@ -3,14 +3,10 @@
 mod analysis;
 mod geometry;
 
-use std::borrow::Cow;
-use std::collections::BTreeSet;
+use std::{borrow::Cow, collections::BTreeSet};
 
 use ::csv::Writer;
-use assur_words::{Describe, Text, errors, name, text};
-
-use crate::json::NotFinite;
-use assur_words::to_ascii;
+use assur_words::{Describe, Text, errors, name, text, to_ascii};
 
 pub use analysis::{CsvTable, FILES, of_positions, of_trajectory};
 pub use geometry::{geometry, shaking};
@@ -19,8 +15,6 @@ pub use geometry::{geometry, shaking};
 pub enum CsvError {
     /// The writer fails.
     Write(::csv::Error),
-    /// A number of the results is not finite.
-    Results(NotFinite),
     /// A number of a table is not finite.
     NotFinite {
         /// The column.
@@ -30,13 +24,12 @@ pub enum CsvError {
     },
 }
 
-errors!(CsvError; Write(::csv::Error), Results(NotFinite));
+errors!(CsvError; Write(::csv::Error));
 
 impl Describe for CsvError {
     fn describe(&self) -> Text {
         match self {
             Self::Write(error) => text!("report-no-csv", problem = name(error.to_string())),
-            Self::Results(error) => error.describe(),
             Self::NotFinite { column, row } => {
                 text!("report-cell-not-finite", column = name(column.clone()), row = assur_words::number(row))
             }
@@ -57,26 +50,20 @@ pub enum CsvCell<'a> {
 
 /// Writes a table; `ascii`: no character beyond ASCII. Columns of one name are distinguished by numbers, and a text
 /// that a spreadsheet would take for a formula (`=`, `+`, `-` or `@` in front) gets an underscore in front.
-pub fn write<'a, R>(
+pub fn write<'a>(
     header: &[impl AsRef<str>],
-    rows: impl IntoIterator<Item = R>,
+    rows: impl IntoIterator<Item = impl IntoIterator<Item = CsvCell<'a>>>,
     ascii: bool,
-) -> Result<String, CsvError>
-where
-    R: IntoIterator<Item = CsvCell<'a>>,
-{
+) -> Result<String, CsvError> {
     Ok(self::header(header, ascii)? + &self::rows(header, rows, ascii)?)
 }
 
 /// Writes the rows of a table without its header, as [`write`](fn@write) does.
-pub fn rows<'a, R>(
+pub fn rows<'a>(
     header: &[impl AsRef<str>],
-    rows: impl IntoIterator<Item = R>,
+    rows: impl IntoIterator<Item = impl IntoIterator<Item = CsvCell<'a>>>,
     ascii: bool,
-) -> Result<String, CsvError>
-where
-    R: IntoIterator<Item = CsvCell<'a>>,
-{
+) -> Result<String, CsvError> {
     let mut text = Vec::new();
     let mut writer = Writer::from_writer(Vec::new());
     for (index, row) in rows.into_iter().enumerate() {

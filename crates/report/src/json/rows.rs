@@ -1,8 +1,6 @@
 //! The rows of a table as JSON objects.
 
-use std::collections::BTreeMap;
-use std::fmt::Write;
-use std::ops::Range;
+use std::{collections::BTreeMap, fmt::Write, ops::Range};
 
 use assur_analysis::results::{Column, Owner, Quantity, Schema, Several, Table};
 use rayon::prelude::*;

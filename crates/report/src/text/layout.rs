@@ -120,20 +120,12 @@ impl Page {
     }
 
     fn equation(&mut self, terms: &[Term]) {
-        let line = terms.iter().fold(String::new(), |line, term| {
-            line + &match term {
-                Term::Name(letters, below) if below.is_empty() => self.style.line(letters),
-                Term::Name(letters, below) => {
-                    format!("{}_{}", self.style.line(letters), self.style.line(below))
-                }
-                Term::Function(text) => (*text).to_owned(),
-                Term::Power(text) => format!("^{text}"),
-                Term::Sign(text) | Term::Number(text) => self.style.line(text),
-                Term::Unit(text) => format!(" {}", self.style.line(text)),
-                Term::Words(text) => format!("  ({})", self.style.line(text)),
-            }
-        });
-        self.wrapped(LineKind::Words, &line, 2, 4);
+        let term = |term: &Term| match term {
+            Term::Sign(sign) => (*sign).to_owned(),
+            _ => self.style.line(&term.text()),
+        };
+        let line: String = terms.iter().map(term).collect();
+        self.wrapped(LineKind::Words, &assur_worksheet::plain(&line), 2, 4);
     }
 
     fn facts(&mut self, caption: &Text, facts: &[Fact]) {

@@ -2,12 +2,8 @@
 
 use std::borrow::Cow;
 
-use assur_words::{Language, Text};
-use textwrap::Options;
-use textwrap::WordSeparator::AsciiSpace;
-use textwrap::WordSplitter::NoHyphenation;
-
-use assur_words::to_ascii;
+use assur_words::{Language, Text, to_ascii};
+use textwrap::{Options, WordSeparator::AsciiSpace, WordSplitter::NoHyphenation};
 
 /// How a text is written.
 #[derive(Debug, Clone, Copy)]

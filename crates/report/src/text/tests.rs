@@ -16,7 +16,8 @@ fn ascii() -> Style {
 #[test]
 fn columns_of_words_are_flush_left_and_of_numbers_flush_right() {
     let head = ["pair", "N"].map(name);
-    let rows = [("A", "1.5"), ("größe", "-12.25")].map(|(word, digits)| row![word, number(digits)].to_vec());
+    let rows =
+        [("A", "1.5"), ("größe", "-12.25")].map(|(word, digits)| row![name(word), number(digits)].to_vec());
     let table = Table::list(Text::default(), head.map(Column::of)).rows(rows);
     let columns = |style| told(style, |page| page.table(table.clone()));
     let plain = columns(Style::english());
@@ -174,7 +175,7 @@ fn the_plans_of_a_position_have_every_table() {
 #[test]
 fn long_lists_and_wide_tables_are_shortened_and_say_so() {
     let list = Table::list(Text::default(), [Column::of(name("pair"))]);
-    let text = told(Style::english(), |page| page.table(list.rows(vec![row!["A"]; 5000])));
+    let text = told(Style::english(), |page| page.table(list.rows(vec![row![name("A")]; 5000])));
     assert!(text.ends_with("\nA\n... 4096 of 5000 rows shown; all are in the other forms (`--format`)\n"));
     assert_eq!(text.lines().count(), 2 + 4096 + 1);
     // Each block of 100 characters has seven columns of these, and a table sixteen blocks.

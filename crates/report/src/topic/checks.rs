@@ -25,14 +25,6 @@ pub fn checks(checks: &[Check], page: &mut Document) {
 
 /// Of how many positions a sample was checked: one sentence for the checks that have it in common.
 fn sampled(checks: &[Check]) -> Vec<Text> {
-    let mut kinds: Vec<([usize; 2], Vec<Text>)> = Vec::new();
-    for check in checks {
-        let Some(sample) = check.sample else { continue };
-        match kinds.iter_mut().find(|kind| kind.0 == sample) {
-            Some((_, names)) => names.push(check.name.clone()),
-            None => kinds.push((sample, vec![check.name.clone()])),
-        }
-    }
     let sentence = |([checked, of], names): ([usize; 2], Vec<Text>)| {
         text!(
             "report-checked-in",
@@ -41,7 +33,19 @@ fn sampled(checks: &[Check]) -> Vec<Text> {
             checks = list(names)
         )
     };
-    kinds.into_iter().map(sentence).collect()
+    alike(checks, |check| check.sample).into_iter().map(sentence).collect()
+}
+
+/// The names of the checks that have something in common, with what that is.
+fn alike<T: PartialEq>(checks: &[Check], common: impl Fn(&Check) -> Option<T>) -> Vec<(T, Vec<Text>)> {
+    let mut kinds: Vec<(T, Vec<Text>)> = Vec::new();
+    for (check, common) in checks.iter().filter_map(|check| Some((check, common(check)?))) {
+        match kinds.iter_mut().find(|kind| kind.0 == common) {
+            Some((_, names)) => names.push(check.name.clone()),
+            None => kinds.push((common, vec![check.name.clone()])),
+        }
+    }
+    kinds
 }
 
 /// A number with a comma after every third digit: 1,000,000.
@@ -55,20 +59,13 @@ fn thousands(number: usize) -> String {
 
 /// In how many positions which checks were not possible, and why: one sentence for those that have both in common.
 pub fn not_judged(checks: &[Check]) -> Vec<Text> {
-    let mut kinds: Vec<(usize, Text, Vec<Text>)> = Vec::new();
-    for check in checks.iter().filter(|check| check.left_out > 0) {
-        let (count, why) = (check.left_out, check.finding.why.clone());
-        match kinds.iter_mut().find(|kind| kind.0 == count && kind.1 == why) {
-            Some((_, _, names)) => names.push(check.name.clone()),
-            None => kinds.push((count, why, vec![check.name.clone()])),
-        }
-    }
-    let sentence = |(count, why, names): (usize, Text, Vec<Text>)| {
+    let common = |check: &Check| (check.left_out > 0).then(|| (check.left_out, check.finding.why.clone()));
+    let sentence = |((count, why), names): ((usize, Text), Vec<Text>)| {
         text!("report-not-judged-in", count, checks = list(names), reason = why)
     };
     let alone = checks.iter().filter(|check| check.finding.holds.is_none() && check.left_out == 0);
     let alone = alone.map(|check| {
         text!("report-not-judged", check = check.name.clone(), reason = check.finding.why.clone())
     });
-    kinds.into_iter().map(sentence).chain(alone).collect()
+    alike(checks, common).into_iter().map(sentence).chain(alone).collect()
 }

@@ -55,8 +55,9 @@ fn enveloping(source: &Source<'_>, found: &Enveloping, page: &mut Document) {
         at = coordinate.show(found.greatest_at),
         way = Unit::LENGTH.show(found.way)
     ));
-    let column =
-        |head, unit, value: fn(&EnvelopingPoint) -> f64| Column::each(&found.path, head, unit, value);
+    let column = |head, unit, value: fn(&EnvelopingPoint) -> f64| {
+        Column::numbers(head, unit, found.path.iter().map(|point| Some(value(point))))
+    };
     let key = column(Text::from(&source.analysis.input.link), coordinate, |point| point.coordinate);
     let columns = vec![
         column(name("x"), Unit::LENGTH, |point| point.lowest[0]),

@@ -6,8 +6,7 @@ use assur_geometry::overview;
 use assur_kinematics::Linkage;
 use assur_words::{Text, count, joined, list, name, number, text};
 
-use super::forces::force;
-use super::regime;
+use super::{forces::force, regime};
 
 /// What a group of facts is about.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -103,15 +102,12 @@ fn extreme(id: &'static str, turn: Turn, unit: Unit, place: Unit) -> Fact {
 fn motion(analysis: &Analysis, linkage: &Linkage, place: Unit) -> Vec<Fact> {
     let Ok(found) = overview(linkage) else { return Vec::new() };
     let mechanism = &linkage.mechanism;
-    let slides = found.slides.iter().map(|(id, course)| {
-        (Owner::Slide(*id), &mechanism.slides[*id].name, course.stroke.as_ref(), &course.pf1)
-    });
-    let links = found.links.iter().map(|(id, course)| {
-        (Owner::Link(*id), &mechanism.links[*id].name, course.stroke.as_ref(), &course.pf1)
-    });
+    let slides = found.slides.iter().map(|(id, at)| (Owner::Slide(*id), &mechanism.slides[*id].name, at));
+    let links = found.links.iter().map(|(id, at)| (Owner::Link(*id), &mechanism.links[*id].name, at));
     let mut facts = Vec::new();
-    for (owner, of, stroke, pf1) in slides.chain(links) {
-        let Some(stroke) = stroke else { continue };
+    for (owner, of, course) in slides.chain(links) {
+        let Some(stroke) = &course.stroke else { continue };
+        let pf1 = &course.pf1;
         let is_slide = matches!(owner, Owner::Slide(_));
         let (id, unit) = if is_slide { ("fact-stroke", Unit::LENGTH) } else { ("fact-swing", Unit::ANGLE) };
         let place_of = Column::of(Quantity::Transfer(0), owner);
@@ -171,16 +167,12 @@ fn balancing(analysis: &Analysis, linkage: &Linkage, place: Unit) -> Vec<Fact> {
     let Some(turn) = farthest(analysis, Column::BALANCING).filter(|turn| turn.value != 0.0) else {
         return Vec::new();
     };
-    let (ids, unit) = if analysis.input.balancing_is_moment {
-        (
-            ["fact-greatest-balancing-moment", "fact-mean-balancing-moment", "fact-rms-balancing-moment"],
-            Unit::MOMENT,
-        )
+    let is_moment = analysis.input.balancing_is_moment;
+    let unit = Unit::load(is_moment);
+    let ids = if is_moment {
+        ["fact-greatest-balancing-moment", "fact-mean-balancing-moment", "fact-rms-balancing-moment"]
     } else {
-        (
-            ["fact-greatest-balancing-force", "fact-mean-balancing-force", "fact-rms-balancing-force"],
-            Unit::FORCE,
-        )
+        ["fact-greatest-balancing-force", "fact-mean-balancing-force", "fact-rms-balancing-force"]
     };
     let mut facts = vec![extreme(ids[0], turn, unit, place).about(Column::BALANCING)];
     // The mean moment of a regime is that of its works.

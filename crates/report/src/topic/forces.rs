@@ -110,11 +110,8 @@ fn greatest(source: &Source<'_>, page: &mut Document) {
 
 /// The balancing load in each position, and the greatest one.
 pub fn balancing(source: &Source<'_>, page: &mut Document) {
-    let Some(greatest) =
-        source.analysis.survey.of(assur_analysis::results::Column::BALANCING).and_then(Statistic::farthest)
-    else {
-        return;
-    };
+    let greatest = source.analysis.survey.of(Values::BALANCING).and_then(Statistic::farthest);
+    let Some(greatest) = greatest else { return };
     let number = greatest.number;
     let is_moment = source.analysis.input.balancing_is_moment;
     page.heading(if is_moment { text!("report-balancing-moment") } else { text!("report-balancing-force") });

@@ -1,7 +1,7 @@
 //! The geometry of the motion as tables.
 
 use assur_book::{Column, Document, Group, Table, Unit, beside};
-use assur_geometry::{AtPosition, CenterAt, Centers, Geometry, SlideCourse, Stroke};
+use assur_geometry::{AtPosition, Centers, Geometry, PartCourse, Stroke};
 use assur_mechanism::Named;
 use assur_words::{Text, name, text};
 
@@ -10,9 +10,7 @@ use super::structure::named;
 /// What was measured on the motion.
 pub fn geometry(found: &Geometry, page: &mut Document) {
     let unit = Unit::place(found.angular);
-    if !found.title.is_empty() {
-        page.title(name(found.title.clone()));
-    }
+    page.scene(&found.title);
     strokes(found, unit, page);
     extremes(found, unit, page);
     force_angles(found, unit, page);
@@ -25,13 +23,11 @@ fn list(values: &[f64], unit: Unit) -> Text {
     assur_words::list(values.iter().map(|&value| unit.number(value)))
 }
 
-/// What goes to and fro: name, stroke, units of its displacement and of its speed.
-fn swinging(found: &Geometry) -> impl Iterator<Item = (&Named<usize>, &Stroke, Unit, Unit)> {
-    let slides = found.slides.iter().map(|(name, at)| (name, &at.stroke, Unit::LENGTH, Unit::MOVING[0]));
-    let links = found.links.iter().map(|(name, at)| (name, &at.stroke, Unit::ANGLE, Unit::TURNING[0]));
-    let points = found.points.iter().map(|(name, at)| (name, &at.stroke, Unit::LENGTH, Unit::MOVING[0]));
-    let all = slides.chain(links).chain(points);
-    all.filter_map(|(name, stroke, unit, speed)| Some((name, stroke.as_ref()?, unit, speed)))
+/// What goes to and fro: name, stroke, and whether it is a link, which turns.
+fn swinging(found: &Geometry) -> impl Iterator<Item = (&Named<usize>, &Stroke, bool)> {
+    let all = [(&found.slides, false), (&found.links, true), (&found.points, false)].into_iter();
+    let all = all.flat_map(|(parts, turns)| parts.iter().map(move |(name, at)| (name, &at.stroke, turns)));
+    all.filter_map(|(name, stroke, turns)| Some((name, stroke.as_ref()?, turns)))
 }
 
 fn strokes(found: &Geometry, unit: Unit, page: &mut Document) {
@@ -42,16 +38,16 @@ fn strokes(found: &Geometry, unit: Unit, page: &mut Document) {
     };
     let table = Table::each(Text::default(), swinging(found))
         .column(text!("head-what"), |(name, ..)| Text::from(*name))
-        .column(text!("head-stroke"), |(_, stroke, own, _)| own.show(stroke.stroke))
-        .measured(text!("head-dead-points"), unit, |(_, stroke, ..)| list(&stroke.dead_points, unit))
-        .column(text!("head-time-ratio"), |(_, stroke, ..)| stroke.time_ratio)
-        .measured(text!("head-overlap"), unit, |(_, stroke, ..)| overlap(stroke))
-        .column(text!("head-mean-speeds"), |(_, stroke, _, speed)| {
-            stroke.mean_speeds.map(|speeds| list(&speeds, *speed))
+        .column(text!("head-stroke"), |(_, stroke, turns)| Unit::place(*turns).show(stroke.stroke))
+        .measured(text!("head-dead-points"), unit, |(_, stroke, _)| list(&stroke.dead_points, unit))
+        .column(text!("head-time-ratio"), |(_, stroke, _)| stroke.time_ratio)
+        .measured(text!("head-overlap"), unit, |(_, stroke, _)| overlap(stroke))
+        .column(text!("head-mean-speeds"), |(_, stroke, turns)| {
+            stroke.mean_speeds.map(|speeds| list(&speeds, Unit::rates(*turns)[0]))
         })
         .table();
     // Over a part of a cycle a slide may turn back once: a stroke takes two dead points.
-    let turns_back = |at: &SlideCourse| at.stroke.is_none() && at.pf1.min < 0.0 && at.pf1.max > 0.0;
+    let turns_back = |at: &PartCourse| at.stroke.is_none() && at.pf1.min < 0.0 && at.pf1.max > 0.0;
     let once: Vec<_> = found.slides.iter().filter(|(_, at)| turns_back(at)).collect();
     if !table.is_empty() {
         page.table(table);
@@ -69,19 +65,16 @@ fn extremes(found: &Geometry, unit: Unit, page: &mut Document) {
     let mut add = |of, what, at, unit| rows.push((of, what, at, unit));
     let [length, angle] =
         [false, true].map(|is| [0, 1, 2].map(|order| Unit::transfer(is, found.angular, order)));
-    for (of, at) in &found.slides {
-        add(of, text!("geometry-displacement"), &at.pf0, length[0]);
-        add(of, text!("quantity-pf1"), &at.pf1, length[1]);
-        add(of, text!("quantity-pf2"), &at.pf2, length[2]);
-    }
-    for (of, at) in &found.links {
-        at.pf0.iter().for_each(|pf0| add(of, text!("geometry-angle"), pf0, angle[0]));
-        add(of, text!("quantity-pf1"), &at.pf1, angle[1]);
-        add(of, text!("quantity-pf2"), &at.pf2, angle[2]);
+    let slides = found.slides.iter().map(|part| (part, text!("geometry-displacement"), length));
+    let links = found.links.iter().map(|part| (part, text!("geometry-angle"), angle));
+    for ((of, at), place, units) in slides.chain(links) {
+        at.pf0.iter().for_each(|pf0| add(of, place.clone(), pf0, units[0]));
+        add(of, text!("quantity-pf1"), &at.pf1, units[1]);
+        add(of, text!("quantity-pf2"), &at.pf2, units[2]);
     }
     for (of, at) in &found.points {
-        add(of, name("x"), &at.x, length[0]);
-        add(of, name("y"), &at.y, length[0]);
+        let coordinates = [("x", &at.x), ("y", &at.y)].into_iter();
+        coordinates.for_each(|(axis, at)| at.iter().for_each(|at| add(of, name(axis), at, length[0])));
         add(of, text!("geometry-modulus", of = text!("quantity-pf1")), &at.pf1, length[1]);
         add(of, text!("geometry-modulus", of = text!("quantity-pf2")), &at.pf2, length[2]);
     }
@@ -111,14 +104,13 @@ fn force_angles(found: &Geometry, unit: Unit, page: &mut Document) {
 }
 
 fn rests(found: &Geometry, unit: Unit, page: &mut Document) {
-    let links = found.links.iter().map(|(name, at)| (name, &at.rests));
-    let points = found.points.iter().map(|(name, at)| (name, &at.rests));
-    let at = links.chain(points).filter(|(_, rests)| !rests.is_empty());
-    let table = Table::each(Text::default(), at)
+    let resting = found.links.iter().chain(&found.points).filter(|(_, at)| !at.rests.is_empty());
+    let table = Table::each(Text::default(), resting)
         .column(text!("head-link-or-point"), |(of, _)| Text::from(*of))
-        .measured(text!("head-rests-at"), unit, |(_, at)| list(at, unit))
+        .measured(text!("head-rests-at"), unit, |(_, at)| list(&at.rests, unit))
         .table();
-    let always = found.links.iter().filter(|(_, at)| at.rests_always).map(|(link, _)| Text::from(link));
+    let always =
+        found.links.iter().filter(|(_, at)| at.rests_always == Some(true)).map(|(link, _)| Text::from(link));
     let always: Vec<_> = always.collect();
     if table.is_empty() && always.is_empty() {
         return;
@@ -133,8 +125,8 @@ fn rests(found: &Geometry, unit: Unit, page: &mut Document) {
 /// Number and coordinate of the positions.
 fn keys(found: &Geometry, unit: Unit) -> Vec<Column> {
     let numbers = Column::counted(text!("head-number"), found.positions.iter().map(|at| at.index));
-    let coordinate = Column::each(&found.positions, text!("head-coordinate"), unit, |at| at.coordinate);
-    vec![numbers, coordinate]
+    let coordinates = found.positions.iter().map(|at| Some(at.coordinate));
+    vec![numbers, Column::numbers(text!("head-coordinate"), unit, coordinates)]
 }
 
 fn centers(found: &Geometry, unit: Unit, page: &mut Document) {
@@ -155,7 +147,7 @@ fn centers(found: &Geometry, unit: Unit, page: &mut Document) {
             [("x", 0), ("y", 1)].map(|(axis, i)| column(format!("{letter}{axis}"), at, i))
         };
         let all = [
-            point("P", |at| place(&at.center)),
+            point("P", |at| at.center.point()),
             point("p", |at| at.on_link),
             point("J", |at| at.inflection_pole),
             point("Q", |at| at.acceleration_pole),
@@ -164,10 +156,6 @@ fn centers(found: &Geometry, unit: Unit, page: &mut Document) {
     });
     let (groups, keys) = (groups.collect(), keys(found, unit));
     page.table(Table { caption: text!("head-links"), keys, owners: text!("head-link"), groups });
-}
-
-fn place(center: &CenterAt) -> Option<[f64; 2]> {
-    if let CenterAt::Point(place) = center { Some(*place) } else { None }
 }
 
 fn curvature(found: &Geometry, unit: Unit, page: &mut Document) {

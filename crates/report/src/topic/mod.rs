@@ -83,6 +83,12 @@ impl<'a> Source<'a> {
         column(&self.positions, head, values)
     }
 
+    /// `position 6, 45 deg`.
+    pub fn place(&self, position: usize) -> Text {
+        let at = self.coordinate().show(self.mechanism.input.coordinate(position));
+        text!("note-place", position = assur_words::number(position), at)
+    }
+
     /// The owners of a quantity that are shown.
     fn owners(&self, quantity: Quantity, wanted: impl Fn(&Owner) -> bool) -> Vec<Owner> {
         self.positions.schema().owners(quantity).into_iter().filter(wanted).collect()
@@ -112,9 +118,7 @@ fn column(table: &Table, head: Text, values: Values) -> Column {
 pub fn report(source: &Source<'_>) -> Document {
     let mut page = Document::default();
     let analysis = source.analysis;
-    if !analysis.title.is_empty() {
-        page.title(name(analysis.title.clone()));
-    }
+    page.scene(&analysis.title);
     page.heading(text!("report-results-between"));
     page.facts(Text::default(), summary(analysis, source.linkage));
     page.heading(text!("report-structure"));
@@ -125,14 +129,12 @@ pub fn report(source: &Source<'_>) -> Document {
     dimensions(source, &mut page);
     loads_given(source, &mut page);
     motion_given(source, &mut page);
-    for topic in [shown_positions, positions, transfer, rates, no_motion, motion_over_time] {
+    for topic in [shown_positions, positions, transfer, rates, no_motion, motion_over_time, regime] {
         topic(source, &mut page);
     }
-    regime(source, &mut page);
-    forces_of(source, &mut page);
-    contacts(source, &mut page);
-    condition(source, &mut page);
-    remarks(source, &mut page);
+    for topic in [loads, reduction, reactions, balancing, friction, causes, contacts, condition, remarks] {
+        topic(source, &mut page);
+    }
     if !analysis.checks.is_empty() {
         page.heading(text!("report-checks"));
         checks(&analysis.checks, &mut page);
@@ -158,13 +160,6 @@ fn regime(source: &Source<'_>, page: &mut Document) {
     }
 }
 
-fn forces_of(source: &Source<'_>, page: &mut Document) {
-    loads(source, page);
-    for topic in [reduction, reactions, balancing, friction, causes] {
-        topic(source, page);
-    }
-}
-
 /// What was decided during the calculation, and what has no solution.
 fn remarks(source: &Source<'_>, page: &mut Document) {
     let analysis = source.analysis;
@@ -177,13 +172,5 @@ fn remarks(source: &Source<'_>, page: &mut Document) {
                 page.paragraph(line);
             }
         }
-    }
-}
-
-impl Source<'_> {
-    /// `position 6, 45 deg`.
-    pub fn place(&self, position: usize) -> Text {
-        let at = self.coordinate().show(self.mechanism.input.coordinate(position));
-        text!("note-place", position = assur_words::number(position), at)
     }
 }

@@ -51,10 +51,7 @@ fn plan(plan: &VectorPlan, page: &mut Document) {
 }
 
 fn centers(centers: &[Center], page: &mut Document) {
-    let places = centers.iter().filter_map(|center| match center.at {
-        CenterAt::Point(place) => Some(place),
-        _ => None,
-    });
+    let places = centers.iter().filter_map(|center| center.at.point());
     let (place, direction) = (beside(places.flatten()), beside([1.0]));
     let at = |center: &Center, axis: usize| match center.at {
         CenterAt::Point(at) => Some(place(at[axis])),

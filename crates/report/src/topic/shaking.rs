@@ -6,9 +6,7 @@ use assur_words::{Text, list, name, number, text};
 
 /// What the inertia loads do to the ground, and counterweights against it.
 pub fn shaking(found: &Shaking, page: &mut Document) {
-    if !found.title.is_empty() {
-        page.title(name(found.title.clone()));
-    }
+    page.scene(&found.title);
     sizes(found, page);
     counterweights(found, page);
     harmonics(found, page);
@@ -92,7 +90,10 @@ fn harmonics(found: &Shaking, page: &mut Document) {
         (text!("head-input-load-sin"), input, |at| at.torque[1]),
     ];
     let orders = found.harmonics.iter().map(|at| number(at.order).into()).collect();
-    let columns = parts.map(|(head, unit, value)| Column::each(&found.harmonics, head, unit, value));
+    let column = |(head, unit, value): Component| {
+        Column::numbers(head, unit, found.harmonics.iter().map(|at| Some(value(at))))
+    };
+    let columns = parts.map(column);
     let key = Column { cells: orders, ..Column::of(name("k")) };
     page.table(Table::over(Text::default(), vec![key], columns.into()));
 }
@@ -101,7 +102,7 @@ fn positions(found: &Shaking, page: &mut Document) {
     page.heading(text!("shaking-positions"));
     let input = Unit::load(found.angular);
     let column = |head: Text, unit: Unit, value: &dyn Fn(&AtPosition) -> f64| {
-        Column::each(&found.positions, head, unit, value)
+        Column::numbers(head, unit, found.positions.iter().map(|at| Some(value(at))))
     };
     let numbers = Column::counted(text!("head-number"), found.positions.iter().map(|at| at.index));
     let coordinate = column(text!("head-coordinate"), Unit::place(found.angular), &|at| at.coordinate);

@@ -1,12 +1,12 @@
 //! Structure: mobility, pairs and groups.
 
-use assur_analysis::results::StructureReport;
-use assur_analysis::{GroupModes, PossibleInput, StructureStudy};
+use assur_analysis::{GroupModes, PossibleInput, StructureStudy, results::StructureReport};
 use assur_book::{Block, Column, Document, Table, Term, Unit, link_name, row};
 use assur_kinematics::{CourseEnd, Misfit, ModeMeeting, Unlisted};
 use assur_mechanism::Named;
 use assur_structure::roman;
 use assur_words::{Text, joined, list, name, number, text};
+use assur_worksheet::Symbol;
 
 use super::Source;
 
@@ -49,37 +49,27 @@ pub fn passive_part(passive: &Misfit, angular: bool) -> Text {
         None => Unit::LENGTH.show(size),
     });
     let place = Unit::place(angular).show(passive.at);
-    text!(
-        "report-misfit",
-        what = &passive.what,
-        misfit = misfit,
-        limit = limit,
-        place = place,
-        closes = closes
-    )
+    text!("report-misfit", what = &passive.what, misfit, limit, place, closes = closes)
 }
 
 /// W = 3 n - 2 p5.
 fn chebyshev(structure: &StructureReport) -> Vec<Term> {
-    let symbol = |letter: &'static str, below: &'static str| Term::Name(name(letter), name(below));
-    let sign = |text: &'static str| Term::Sign(name(text));
-    let [links, pairs] = [structure.moving_links, structure.pairs].map(|count| Term::Number(number(count)));
-    let [three, two] = [3, 2].map(|factor| Term::Number(number(factor)));
-    let mut terms =
-        vec![symbol("W", ""), sign(" = "), three.clone(), symbol("n", ""), sign(" - "), two.clone()];
-    terms.extend([
-        symbol("p", "5"),
+    let (count, sign) = (|count: usize| Term::Number(count.to_string()), Term::Sign);
+    let [w, n, p] = ["W", "n", "p"].map(Symbol::from);
+    let symbols = [Term::Symbol(w), sign(" = "), count(3), Term::Symbol(n), sign(" - "), count(2)];
+    let counts = [
+        Term::Symbol(p.of("5")),
         sign(" = "),
-        three,
+        count(3),
         sign("*"),
-        links,
+        count(structure.moving_links),
         sign(" - "),
-        two,
+        count(2),
         sign("*"),
-        pairs,
-    ]);
-    terms.extend([sign(" = "), Term::Number(number(structure.mobility))]);
-    terms
+        count(structure.pairs),
+    ];
+    let result = [sign(" = "), Term::Number(structure.mobility.to_string())];
+    symbols.into_iter().chain(counts).chain(result).collect()
 }
 
 /// The kinematic pairs.
@@ -127,9 +117,7 @@ fn groups_of(structure: &StructureReport, page: &mut Document) {
 
 /// The answer of `assur structure`.
 pub fn study(found: &StructureStudy, page: &mut Document) {
-    if !found.title.is_empty() {
-        page.title(name(found.title.clone()));
-    }
+    page.scene(&found.title);
     if let Some(structure) = &found.structure {
         counted(structure, found.angular, page);
         groups_of(structure, page);
@@ -171,17 +159,17 @@ fn modes(group: &GroupModes, unit: Unit, page: &mut Document) {
         text!("report-modes-from", count = number(count.modes), coordinate = unit.show(count.from))
     });
     page.paragraph(text!("report-modes-count", counts = joined("; ", counts)));
-    page.paragraph(text!("report-modes-circuits", circuits = circuits, branches = branches));
+    page.paragraph(text!("report-modes-circuits", circuits, branches));
     if let Some(way) = group.way {
         page.paragraph(text!("report-modes-present", mode = number(way)));
     }
     let meeting = |meeting: &ModeMeeting| {
         let [one, other] = meeting.ways.map(number);
-        text!("report-modes-meeting", one = one, other = other, coordinate = unit.show(meeting.at))
+        text!("report-modes-meeting", one, other, coordinate = unit.show(meeting.at))
     };
     if !group.courses.meetings.is_empty() {
         let meetings = joined("; ", group.courses.meetings.iter().map(meeting));
-        page.paragraph(text!("report-modes-meet", meetings = meetings));
+        page.paragraph(text!("report-modes-meet", meetings));
     }
 }
 
@@ -202,7 +190,7 @@ fn possible_inputs(found: &StructureStudy, page: &mut Document) {
             if input.passive.is_empty() {
                 Text::from(formula)
             } else {
-                text!("report-formula-without", formula = formula, parts = parts)
+                text!("report-formula-without", formula, parts)
             }
         });
         structure.or_else(|| input.why.clone())

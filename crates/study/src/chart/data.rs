@@ -7,7 +7,7 @@ use assur_words::{Describe, Text, joined, list, name, number, text};
 use serde::{Serialize, Serializer};
 
 /// Speed versus accuracy of one scene.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize)]
 pub struct ChartData {
     /// Title of the scene.
     pub title: String,

@@ -9,8 +9,7 @@ use assur_words::{Describe, Text, text};
 
 use super::data::GIVES;
 use super::race::{Entry, Field};
-use super::work::Work;
-use super::work::difference;
+use super::work::{Work, difference};
 use super::{ChartError, Measurement, Reference, Setting, SettingValue, Stage};
 
 /// The positions with their loads, and the reference reactions.

@@ -7,9 +7,7 @@ use assur_force::{
 use assur_kinematics::{Linkage, Position};
 use assur_words::{Describe, Text, text};
 
-use super::forces::Loaded;
-use super::race::Field;
-use super::{ChartError, Measurement, Reference, Setting, Stage};
+use super::{ChartError, Measurement, Reference, Setting, Stage, forces::Loaded, race::Field};
 
 const STEPS: [u32; 5] = [1, 2, 4, 8, 16];
 

@@ -47,7 +47,7 @@ pub(crate) fn field<'a>(task: &Task<'a>, options: ChartOptions) -> Result<Field<
             });
         }
     }
-    Ok(Field { reference: references.described(), entries })
+    Ok(Field { reference: references.reference, entries })
 }
 
 fn row(method: &str, setting: Setting) -> Measurement {

@@ -110,11 +110,7 @@ impl Judge<'_> {
                 one = self.stretch(entry, runs);
                 runs = if one * runs >= STRETCH { break } else { grown(runs, one) };
             }
-            #[expect(
-                clippy::cast_possible_truncation,
-                clippy::cast_sign_loss,
-                reason = "clamped to a small positive number"
-            )]
+            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "small and positive")]
             let rounds = (share / (one * runs)).clamp(0.0, self.options.rounds as f64) as usize;
             // A median needs several timings; for long runs, the compared run must suffice.
             let least = if one * runs < LONG { 2 } else { usize::from(times.is_empty()) };

@@ -1,6 +1,5 @@
 //! A whole chart.
 
-use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 
 use assur_dynamics::DynamicsError;
@@ -14,8 +13,7 @@ use super::data::TOLERANCE;
 use super::forces::{self, Loaded};
 use super::friction::{self, FrictionMethods};
 use super::motion::{self, Task};
-use super::race::Field;
-use super::race::Judge;
+use super::race::{Field, Judge};
 use super::steady::{self, Cycle};
 use super::work::Work;
 use super::{ChartData, ChartOptions, Measurement, Progress, SettingValue, Stage, kinematics};
@@ -89,13 +87,7 @@ pub fn chart(
     let start = clock();
     let mut charting = Charting {
         judge: Judge { clock, options, progress, start, stopped: false },
-        data: ChartData {
-            title: linkage.mechanism.title.clone(),
-            rows: Vec::new(),
-            reference: BTreeMap::new(),
-            reference_error: BTreeMap::new(),
-            complete: true,
-        },
+        data: ChartData { title: linkage.mechanism.title.clone(), ..ChartData::default() },
     };
     charting.positions(linkage)?;
     let Charting { judge, mut data } = charting;
@@ -163,11 +155,7 @@ impl Charting<'_> {
     }
 
     /// Number of steps of four evaluations within a run of a quick chart.
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "clamped to a small positive number"
-    )]
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "small and positive")]
     fn steps_in_time(&mut self, task: &Task<'_>) -> usize {
         const EVALUATIONS: u32 = 200;
         let mut motion = task.motion.clone();

@@ -8,7 +8,7 @@ use assur_dynamics::{
     CycleRequest, DriveRequest, Machine, Regime, RegimeSolver, TorqueRequest, TorqueSource, steady,
 };
 use assur_force::Loads;
-use assur_integrator::{Dependence, EquationOfMotion, MotionError, Piece, Reduced, Request, State, Until};
+use assur_integrator::{Request, State, Until};
 use assur_kinematics::Linkage;
 use assur_mechanism::Motion;
 use assur_words::{Describe, Text, text};
@@ -64,8 +64,8 @@ impl<'a> Cycle<'a> {
         DriveRequest { torque, flywheel: Some(drive.inertia), flywheel_on_motor: false, unevenness: None }
     }
 
-    fn machine(&self) -> Counted<Machine<'a>> {
-        Counted { motion: Machine::new(self.linkage, self.loads).in_regime(&self.regime), count: 0 }
+    fn machine(&self) -> Machine<'a> {
+        Machine::new(self.linkage, self.loads).in_regime(&self.regime)
     }
 }
 
@@ -101,8 +101,7 @@ fn shooting(cycle: &Cycle<'_>) -> Result<(f64, usize), Text> {
     let mut machine = cycle.machine();
     let mut solver = RegimeSolver::new(&mut machine, cycle.request).map_err(|error| error.describe())?;
     let regime = solver.solve(&cycle.drive()).map_err(|error| error.describe())?;
-    drop(solver);
-    Ok((regime.state(cycle.request.start).speed, machine.count))
+    Ok((regime.state(cycle.request.start).speed, regime.effort.evaluations))
 }
 
 /// Most cycles until a regime must have settled.
@@ -115,29 +114,7 @@ fn settle(cycle: &Cycle<'_>, tolerance: f64) -> Result<(f64, usize), Text> {
     let mut solver = RegimeSolver::new(&mut machine, cycle.request).map_err(|error| error.describe())?;
     let iterations =
         solver.settle(&cycle.regime, tolerance, MOST_CYCLES).map_err(|error| error.describe())?;
-    drop(solver);
-    Ok((iterations.last().map_or(f64::NAN, |last| last.speed_end), machine.count))
-}
-
-#[derive(Debug)]
-struct Counted<M> {
-    motion: M,
-    count: usize,
-}
-
-impl<M: EquationOfMotion> EquationOfMotion for Counted<M> {
-    fn dependence(&self) -> Dependence {
-        self.motion.dependence()
-    }
-
-    fn enter(&mut self, state: &State) -> Result<Piece, MotionError> {
-        self.motion.enter(state)
-    }
-
-    fn reduced(&mut self, state: &State) -> Result<Reduced, MotionError> {
-        self.count += 1;
-        self.motion.reduced(state)
-    }
+    Ok((iterations.last().map_or(f64::NAN, |last| last.speed_end), solver.evaluations()))
 }
 
 /// Why a stage of a steady scene has no figures.

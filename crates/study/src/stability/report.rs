@@ -78,16 +78,8 @@ pub fn stability(
     let friction = friction(&rubbing, &mut rows, &mut step)?;
     let lengths = margin::margins(&linkage, &lengths, &mut step)?;
     let (title, angular) = (linkage.mechanism.title.clone(), linkage.angular());
-    ControlFlow::Continue(Ok(Stability {
-        title,
-        angular,
-        groups,
-        lengths,
-        friction,
-        rows,
-        places_left_out,
-        failure,
-    }))
+    let found = Stability { title, angular, groups, lengths, friction, rows, places_left_out, failure };
+    ControlFlow::Continue(Ok(found))
 }
 
 impl Stability {

@@ -7,8 +7,7 @@ use assur_kinematics::{Linkage, Position};
 use assur_structure::Group;
 use assur_words::{Describe, Text, name, text};
 
-use super::exact::{Exact, Reference};
-use super::exact::{ORDERS, reactions, size, transfer};
+use super::exact::{Exact, ORDERS, Reference, reactions, size, transfer};
 use super::row::{Comparison, DISTANCES, FACTOR, REACTIONS, accept_without_digits};
 use super::target::Target;
 
@@ -26,7 +25,7 @@ pub(crate) struct Walk<'a> {
     linkage: &'a Linkage,
     exact: Exact<'a>,
     analyzers: Vec<&'static AnalyzerPlugin>,
-    loads: Vec<Wrench<f64>>,
+    pub(crate) loads: Vec<Wrench<f64>>,
     scale: f64,
     /// Of each group: itself and the groups that it depends on.
     ancestors: Vec<Vec<usize>>,
@@ -106,11 +105,6 @@ impl<'a> Walk<'a> {
             ancestors: (0..linkage.groups().len()).map(|group| linkage.ancestors(group)).collect(),
             disparity: linkage.structure.groups.iter().map(disparity).collect(),
         })
-    }
-
-    #[cfg(test)]
-    pub(crate) fn with_loads(self, loads: Vec<Wrench<f64>>) -> Self {
-        Self { loads, ..self }
     }
 
     pub(crate) fn to(&self, target: &Target, rows: &mut Vec<Comparison>) {

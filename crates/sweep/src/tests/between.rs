@@ -35,10 +35,10 @@ fn a_sweep_between_positions_and_a_report_say_the_same() {
         let peaks = assur_book::peaks(&calculation, &analysis.positions, &edges);
         let schema = analysis.positions.schema();
         let mut same = |column: &str, known: f64| {
-            let Some(column) = table.header().iter().position(|head| head == column) else { return };
+            let Some(column) = table.columns.names.iter().position(|head| head == column) else { return };
             // A report has no numbers of a mechanism that can't be assembled everywhere, and a sweep has none.
             let CsvCell::Number(found) = table.cell(0, column) else { return };
-            let head = &table.header()[column];
+            let head = &table.columns.names[column];
             assert!(
                 (found - known).abs() <= 1e-9 * known.abs(),
                 "{name}: {head} is {found}, {known} in a report"
@@ -86,8 +86,8 @@ fn what_is_found_between_positions_is_the_limit_of_more_and_more_positions() {
         let measures = ["default", "balancing-rms", "reaction-rms", "transmission", "extremes"];
         let [found, dense] =
             [(positions, true), (DENSE, false)].map(|(count, between)| row(scene, count, between, &measures));
-        assert_eq!(found.header(), dense.header(), "{name}");
-        for (column, head) in found.header().iter().enumerate().skip(1) {
+        assert_eq!(found.columns.names, dense.columns.names, "{name}");
+        for (column, head) in found.columns.names.iter().enumerate().skip(1) {
             let cells = [&found, &dense].map(|table| match table.cell(0, column) {
                 CsvCell::Number(number) => number,
                 _ => f64::NAN,
@@ -130,10 +130,10 @@ fn a_stroke_is_what_lies_between_the_extremes() {
     for (name, scene, positions) in scenes().filter(|(name, ..)| *name != "n-four-bar-40") {
         let table = row(scene, positions, true, &["extremes", "stroke"]);
         let number = |head: String| {
-            let column = table.header().iter().position(|name| *name == head)?;
+            let column = table.columns.names.iter().position(|name| *name == head)?;
             if let CsvCell::Number(number) = table.cell(0, column) { Some(number) } else { None }
         };
-        for (part, unit) in table.header().iter().filter_map(|head| head.rsplit_once("_stroke_")) {
+        for (part, unit) in table.columns.names.iter().filter_map(|head| head.rsplit_once("_stroke_")) {
             let angle = if unit == "rad" { "_angle" } else { "" };
             let [max, min] = ["max", "min"].map(|end| number(format!("{part}{angle}_{end}_{unit}")));
             let stroke = number(format!("{part}_stroke_{unit}"));

@@ -121,7 +121,7 @@ flywheel = "solve"
 fn a_flywheel_follows_its_formula() {
     let table = run(ENGINE, &["motion.unevenness=0.001..0.002:2", "motion.mean_speed=50..100 rad/s:2"], 2);
     let flywheels = numbers(&table, "flywheel_kgm2");
-    assert_eq!(table.header()[1], "motion.mean_speed_rad_per_s");
+    assert_eq!(table.columns.names[1], "motion.mean_speed_rad_per_s");
     for (row, (delta, speed)) in
         [(0.001, 50.0), (0.001, 100.0), (0.002, 50.0), (0.002, 100.0)].into_iter().enumerate()
     {
@@ -141,7 +141,7 @@ fn a_run_up_ends_where_the_work_says() {
                  [[moment]]\nlink = \"AB\"\nvalue = 20\n[input]\nlink = \"AB\"\n\
                  [motion]\nkind = \"transient\"\nspeed = 0\nuntil = \"5 rev\"\n";
     let table = run(scene, &["motion.until=5..10 rev:2", "link.AB.inertia=0.1..0.2:2"], 2);
-    assert_eq!(table.header()[..2], ["motion.until_rad", "link.AB.inertia_kgm2"]);
+    assert_eq!(table.columns.names[..2], ["motion.until_rad", "link.AB.inertia_kgm2"]);
     for (row, (turns, inertia)) in [(5.0, 0.1), (5.0, 0.2), (10.0, 0.1), (10.0, 0.2)].into_iter().enumerate()
     {
         let speed = (2.0 * 20.0 * TAU * turns / inertia).sqrt();
@@ -178,10 +178,10 @@ fn columns_that_no_parameter_reaches_are_left_out() {
         let request = SweepRequest { measures: Measure::named(&names).unwrap(), ..SweepRequest::default() };
         let whole = rows(&requested(scene, &[vary], request).unwrap(), 1);
         assert!(
-            !table.header().contains(&out.to_owned()) && table.header().contains(&kept.to_owned()),
+            !table.columns.names.contains(&out.to_owned()) && table.columns.names.contains(&kept.to_owned()),
             "{vary}"
         );
-        for name in whole.header().iter().filter(|name| !table.header().contains(name)) {
+        for name in whole.columns.names.iter().filter(|name| !table.columns.names.contains(name)) {
             let [one, other] = numbers(&whole, name)[..] else { panic!("{name}") };
             assert!((one - other).abs() <= 1e-12 * one.abs().max(1.0), "{vary}: {name} is {one} and {other}");
         }

@@ -85,7 +85,7 @@ fn one_value_is_varied_once() {
 fn quotes_hold_names_that_are_no_bare_keys() {
     let scene = SLIDER.replace("gas", "gas [left]");
     let table = run(&scene, &["force.'gas [left]'.value=1..2:2"], 1);
-    assert_eq!(table.header()[0], "force.'gas [left]'.value_N");
+    assert_eq!(table.columns.names[0], "force.'gas [left]'.value_N");
 }
 
 #[test]

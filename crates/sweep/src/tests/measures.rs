@@ -18,7 +18,7 @@ const ONE: [&str; 1] = ["link.crank.points.A=100 mm..100 mm:1"];
 fn columns_are_those_of_the_named_measures_in_their_own_order() {
     let table = measured(SLIDER, &ONE, &["stroke", "health"]);
     assert_eq!(
-        table.header()[4..],
+        table.columns.names[4..],
         [
             "smallest_health",
             "smallest_health_at_rad",
@@ -28,10 +28,11 @@ fn columns_are_those_of_the_named_measures_in_their_own_order() {
             "piston_stroke_rad"
         ]
     );
-    let all = measured(SLIDER, &ONE, &["all"]).header().len();
-    let each: usize = MEASURES.iter().map(|one| measured(SLIDER, &ONE, &[one.name]).header().len() - 4).sum();
+    let all = measured(SLIDER, &ONE, &["all"]).columns.names.len();
+    let each: usize =
+        MEASURES.iter().map(|one| measured(SLIDER, &ONE, &[one.name]).columns.names.len() - 4).sum();
     assert_eq!(all, 4 + each);
-    assert_eq!(measured(SLIDER, &ONE, &["default"]).header(), super::run(SLIDER, &ONE, 1).header());
+    assert_eq!(measured(SLIDER, &ONE, &["default"]).columns.names, super::run(SLIDER, &ONE, 1).columns.names);
 }
 
 #[test]
@@ -78,7 +79,7 @@ fn strokes_time_ratio_and_transmission_angle_are_those_of_the_closed_form() {
     // The rod leans by asin((r + e) / l) and asin((r - e) / l) at most.
     let swing = ((r + e) / l).asin() + ((r - e) / l).asin();
     assert!((at("rod_stroke_rad") - swing).abs() < 1e-12);
-    let turning = table.header().iter().position(|name| name == "crank_stroke_rad").unwrap();
+    let turning = table.columns.names.iter().position(|name| name == "crank_stroke_rad").unwrap();
     assert_eq!(table.cell(0, turning), CsvCell::Empty, "a link that turns has no stroke");
     // Where the crank points down, the rod leans by asin((r + e) / l): its pressure angle.
     let least = std::f64::consts::FRAC_PI_2 - ((r + e) / l).asin();
@@ -119,7 +120,7 @@ fn a_tied_key_follows_its_parameter() {
     };
     let sweep = requested(SLIDER, &vary, request("link.rod.points.B=link.crank.points.A*3")).unwrap();
     let table = rows(&sweep, 1);
-    assert_eq!(table.header()[..2], ["link.crank.points.A_m", "link.rod.points.B_m"]);
+    assert_eq!(table.columns.names[..2], ["link.crank.points.A_m", "link.rod.points.B_m"]);
     assert_eq!(numbers(&table, "link.rod.points.B_m"), [0.3, 0.36, 0.42]);
     // A rod thrice as long as the crank leans by asin(1/3), whatever the crank.
     let swing = 2.0 * (1.0_f64 / 3.0).asin();

@@ -3,8 +3,7 @@
 use std::num::NonZeroUsize;
 
 use super::{SLIDER, failures, requested, rows, run, sweep};
-use assur_report::csv::CsvCell;
-
+use assur_report::csv::{CsvCell, header};
 use assur_words::Text;
 
 use crate::{Measure, Rows, SweepError, SweepRequest};
@@ -21,9 +20,9 @@ fn one_thread_and_four_write_the_same_bytes() {
 #[test]
 fn csv_reads_back_as_the_same_numbers() {
     let table = run(SLIDER, &GRID, 2);
-    let text = sweep(SLIDER, &GRID).unwrap().csv_header(false).unwrap() + &table.to_csv(false).unwrap();
+    let text = header(&table.columns.names, false).unwrap() + &table.to_csv(false).unwrap();
     let mut reader = ::csv::Reader::from_reader(text.as_bytes());
-    assert_eq!(reader.headers().unwrap(), table.header());
+    assert_eq!(reader.headers().unwrap(), table.columns.names);
     let records: Vec<_> = reader.records().map(Result::unwrap).collect();
     assert_eq!(records.len(), 35);
     for (row, record) in records.iter().enumerate() {
@@ -81,7 +80,7 @@ fn the_more_columns_the_fewer_rows_are_in_memory() {
         ..SweepRequest::default()
     };
     let (wide, narrow) = (requested(&scene, &GRID, asked).unwrap(), sweep(SLIDER, &GRID).unwrap());
-    let columns = wide.columns.names().len();
+    let columns = wide.columns.names.len();
     assert!(columns > 800, "blocks have fewer than 64 points: {columns}");
     let most = 1_usize << 23;
     assert!(

@@ -2,10 +2,11 @@
 
 use std::f64::consts::PI;
 
+use assur_dynamics::Figures;
 use assur_words::Language;
 use assur_worksheet::{Entry, WIDTH};
 
-use crate::{Cycle, Done, Ending, EnergyForm};
+use crate::{Done, Ending, EnergyForm};
 
 fn form<'a>(
     mechanism: &'a assur_mechanism::Mechanism,
@@ -63,14 +64,21 @@ fn example_1_is_worked_by_areas() {
 #[test]
 fn example_2_is_worked_by_areas() {
     let mechanism = assur_scene::read("flywheel.toml", assur_fixtures::scene("flywheel")).unwrap();
-    let cycle = Cycle {
-        speeds: [99.0, 101.0],
-        extremes: [0.5 * PI, 1.5 * PI],
+    let cycle = Figures {
+        ratio: None,
+        mean_speed: 100.0,
+        unevenness: 0.02,
+        speed_min: 99.0,
+        speed_max: 101.0,
+        coordinate_at_min: 0.5 * PI,
+        coordinate_at_max: 1.5 * PI,
         excess_work: f64::NAN,
-        balance: Some(-20.0),
+        dynamic_unevenness: None,
+        required_power: 0.0,
+        torque: Some(-20.0),
     };
     let ends = [[0.0, 100.0, 0.0], [2.0 * PI, 100.0, 0.0]];
-    let form = EnergyForm { cycle: Some(cycle), ..form(&mechanism, &[("driving", 120.0)], ends) };
+    let form = EnergyForm { cycle: Some(&cycle), ..form(&mechanism, &[("driving", 120.0)], ends) };
     near(result(&form, "M_res"), 20.0);
     near(result(&form, "A_d"), 40.0 * PI);
     near(result(&form, "A_res"), 40.0 * PI);

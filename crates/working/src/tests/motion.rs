@@ -8,7 +8,7 @@ use assur_words::Language;
 
 use super::evaluate::{equations, printed, recomputes};
 use super::fixtures::scene;
-use crate::{Drive, PositionOrSample, Task, Working};
+use crate::{PositionOrSample, Task, Working};
 
 #[test]
 fn the_acceleration_follows_from_the_reduction() {
@@ -21,14 +21,14 @@ fn the_acceleration_follows_from_the_reduction() {
     ] {
         let linkage = Linkage::compile(scene(name)).unwrap();
         let loads = Loads::compile(&linkage).unwrap();
-        let drive = Drive { moment: 75.0, inertia: 2.5 };
+        let [driving, own] = [75.0, 2.5];
         for index in [1, 3, 7] {
             let mut position = linkage.position();
             linkage.solve_index(index, Order::Second, &mut position).unwrap();
             let state = LoadState { coordinate: position.coordinate, speed, ..LoadState::default() };
             let reduced = loads.reduced(&state, &position.bodies);
-            let net = reduced.moment + drive.moment - 0.5 * reduced.inertia_derivative * speed * speed;
-            let acceleration = net / (reduced.inertia + drive.inertia);
+            let net = reduced.moment + driving - 0.5 * reduced.inertia_derivative * speed * speed;
+            let acceleration = net / (reduced.inertia + own);
             let state = LoadState { acceleration, ..state };
             let place = PositionOrSample::Position(index);
             let task = Task {
@@ -36,7 +36,7 @@ fn the_acceleration_follows_from_the_reduction() {
                 loads: Some(&loads),
                 state,
                 place,
-                drive: Some(drive),
+                drive: Some([driving, own]),
                 analyzer: None,
             };
             let text = Working::of(&task).unwrap().text(Language::english());
@@ -51,8 +51,8 @@ fn the_acceleration_follows_from_the_reduction() {
                 ("J′", reduced.inertia_derivative),
                 ("Q", reduced.moment),
                 ("ε", acceleration),
-                ("M_bal", drive.moment - drive.inertia * acceleration),
-                ("M_bal_drive", drive.moment - drive.inertia * acceleration),
+                ("M_bal", driving - own * acceleration),
+                ("M_bal_drive", driving - own * acceleration),
             ] {
                 let size = wanted.abs().max(1e-3);
                 assert!(

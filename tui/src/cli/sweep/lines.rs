@@ -31,7 +31,7 @@ pub(super) fn run(job: &Job<'_>, path: Option<&Path>, resume: bool) -> Result<St
 
 fn header(job: &Job<'_>) -> Result<String, Fault> {
     if job.is_first {
-        job.sweep.csv_header(job.style.ascii_data).map_err(Fault::told)
+        assur_report::csv::header(&job.sweep.columns.names, job.style.ascii_data).map_err(Fault::told)
     } else {
         Ok(String::new())
     }

@@ -49,7 +49,7 @@ fn list_of_plan(pen: &mut Pen<'_>, plan: &VectorPlan, list: Rect) {
     let part = state.part(View::Plans);
     let heads = [Text::default(), text!("head-vector"), text!("head-size"), text!("head-unit")];
     let row = |(label, item): (String, &PlanVector)| {
-        row![label.as_str(), item.name.clone(), item.size, unit(item.unit.clone())]
+        row![name(label), item.name.clone(), item.size, unit(item.unit.clone())]
     };
     let vectors = labelled(part, plan).into_iter().map(row);
     let table = Table::list(Text::default(), heads.map(Column::of)).rows(vectors);

@@ -3,8 +3,7 @@
 mod model;
 mod stages;
 
-use assur_analysis::Methods;
-use assur_analysis::plan::Plan;
+use assur_analysis::{Methods, plan::Plan};
 use assur_book::{Document, link_name};
 use assur_mechanism::{LinkId, Mechanism};
 use assur_structure::{Structure, roman};
@@ -21,9 +20,7 @@ pub fn explain(
     equation: Option<&Text>,
     page: &mut Document,
 ) {
-    if !mechanism.title.is_empty() {
-        page.title(name(mechanism.title.clone()));
-    }
+    page.scene(&mechanism.title);
     page.heading(text!("report-structure"));
     describe_structure(mechanism, structure, plan, page);
     page.heading(text!("explain-stages"));

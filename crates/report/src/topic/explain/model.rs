@@ -22,7 +22,7 @@ pub(super) fn modelled(mechanism: &Mechanism) -> Vec<Text> {
     let pairs = if mechanism.frictions.is_empty() { "model-pairs-how" } else { "model-pairs-friction" };
     let mut list = vec![
         remark(text!("model-links"), text!("model-links-how", count = mechanism.links.len() - 1)),
-        remark(text!("model-pairs"), text!(pairs, pins = pins, slides = mechanism.slides.len())),
+        remark(text!("model-pairs"), text!(pairs, pins, slides = mechanism.slides.len())),
     ];
     list.extend(mechanism.frictions.iter().map(|friction| friction_of_pair(mechanism, friction)));
     list.extend(masses(mechanism));
@@ -160,18 +160,18 @@ fn friction_of_pair(mechanism: &Mechanism, friction: &Friction) -> Text {
     let how = match friction.surfaces {
         Surfaces::Journal { radius, owner } => {
             let owner = Text::from(&mechanism.links[owner].name);
-            text!("model-journal", coefficient = coefficient, radius = length(radius), owner = owner)
+            text!("model-journal", coefficient, radius = length(radius), owner)
         }
-        Surfaces::Place => text!("model-pressed-place", coefficient = coefficient),
+        Surfaces::Place => text!("model-pressed-place", coefficient),
         Surfaces::Faces { length: contact, middle, offset } => {
             let id = match middle {
                 Middle::Point => "model-pressed-ends",
                 Middle::Through => "model-pressed-bushing",
             };
-            text!(id, coefficient = coefficient, length = length(contact), offset = length(offset))
+            text!(id, coefficient, length = length(contact), offset = length(offset))
         }
     };
-    remark(text!("model-friction", pair = pair), how)
+    remark(text!("model-friction", pair), how)
 }
 
 /// What is left out, why, and how it can be included.

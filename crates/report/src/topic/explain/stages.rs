@@ -2,8 +2,7 @@
 
 use std::collections::HashSet;
 
-use assur_analysis::Methods;
-use assur_analysis::plan::Plan;
+use assur_analysis::{Methods, plan::Plan};
 use assur_book::link_name;
 use assur_group::Order;
 use assur_mechanism::{

@@ -1,13 +1,13 @@
-//! The general solution: derivatives from the one linear system of a group, and places by Newton's method.
+//! The closed forms in several numbers, and the general solution: derivatives from the one linear system of a group, and places
+//! by Newton's method.
 
 use std::hint::black_box;
 
 use assur_group::{Body, Number, Order};
 use assur_kinematics::Chain;
 use assur_number::Lanes;
-use assur_words::{Describe, Text};
+use assur_words::{Describe, Text, number, text};
 
-use super::{failure, kept};
 use crate::chart::race::{Entry, Verdict};
 use crate::chart::work::{Work, solve_generally};
 use crate::chart::{ChartError, Measurement};
@@ -16,24 +16,48 @@ use crate::chart::{ChartError, Measurement};
 /// in some 300 steps per turn.
 const BACK: f64 = 0.02;
 
-/// The general solution in one number type, as a method over all positions; `by_newton`: the places by Newton's method on the
-/// constraints, otherwise by the closed forms.
-pub(super) fn general<'a, T: Number>(
+/// How a position is solved.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum How {
+    /// Places and derivatives by the closed forms of the kinds.
+    Closed,
+    /// Places by the closed forms, derivatives by the linear system.
+    General,
+    /// Places by Newton's method on the constraints, derivatives by the linear system.
+    Newton,
+}
+
+/// All positions in one number type.
+pub(super) fn solved<'a, T: Number>(
     work: &'a Work<'a>,
-    by_newton: bool,
+    how: How,
 ) -> Result<impl FnMut(usize, bool) -> Result<f64, Text> + 'a, ChartError> {
-    let chain = Chain::<T>::compile(&work.linkage.mechanism, &work.linkage.structure)?;
-    let starts: Vec<_> = work.coordinates.iter().map(|q| start(work, &chain, *q)).collect();
-    let mut bodies = chain.bodies();
-    let kept = if by_newton { None } else { kept(work) };
+    let linkage = work.linkage;
+    let chain = Chain::<T>::compile(&linkage.mechanism, &linkage.structure)?;
+    let (mut bodies, mut health) = (chain.bodies(), vec![T::ZERO; chain.groups.len()]);
+    let by_newton = how == How::Newton;
+    // Where groups that iterate begin.
+    let iterates = linkage.structure.groups.iter().any(|group| group.plugin.iterates);
+    let kept = (iterates && !by_newton)
+        .then(|| work.coordinates.iter().map(|&q| linkage.starting_bodies(q)).collect::<Vec<_>>());
+    let starts =
+        by_newton.then(|| work.coordinates.iter().map(|q| start(work, &chain, *q)).collect::<Vec<_>>());
     Ok(move |index: usize, judged| {
         let q = work.coordinates[index];
         if let Some(kept) = &kept {
             bodies.clone_from_slice(&kept[index]);
         }
-        let starts = by_newton.then(|| &starts[index][..]);
-        let solved = solve_generally(work.linkage, &chain, q, starts, &mut bodies);
-        solved.map_err(|error| failure(work.linkage, q, &error))?;
+        let solved = if how == How::Closed {
+            chain.solve(T::from_f64(q), linkage.ways.at(q), Order::Second, &mut bodies, &mut health)
+        } else {
+            let start = starts.as_ref().map(|starts| &starts[index][..]);
+            solve_generally(linkage, &chain, q, start, &mut bodies)
+        };
+        solved.map_err(|error| {
+            let group = linkage.structure.group_name(&linkage.mechanism, error.group);
+            let coordinate = number(format_args!("{q:.9}"));
+            text!("chart-group-at", group, coordinate, problem = error.source.describe())
+        })?;
         Ok(if judged { work.deviation(index, &bodies) } else { 0.0 })
     })
 }

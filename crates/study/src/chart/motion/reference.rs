@@ -4,7 +4,7 @@ use std::rc::Rc;
 
 use assur_integrator::{EquationOfMotion, IntegratorPlugin, Request, Sample, Trajectory, integrators};
 use assur_number::greater;
-use assur_words::{Text, name, number, text};
+use assur_words::{name, number, text};
 
 use super::Task;
 use crate::chart::{ChartError, Reference};
@@ -16,8 +16,7 @@ const MOST_STEPS: usize = 30_000;
 
 pub(in crate::chart) struct References {
     judges: Vec<(&'static str, Rc<Trajectory>)>,
-    how: Text,
-    error: f64,
+    pub(super) reference: Reference,
     /// Greatest distance from the start and greatest speed.
     pub(super) sizes: [f64; 2],
     /// How long the motion lasts, s.
@@ -48,17 +47,14 @@ impl References {
             _ => by(&runs[0]),
         };
         let how = text!("chart-reference-motion", methods);
+        let reference = Reference { how, error: if error.is_nan() { 0.0 } else { error } };
         let judges = runs.into_iter().map(|(name, _, found)| (name, Rc::new(found))).collect();
-        Ok(Self { judges, how, error: if error.is_nan() { 0.0 } else { error }, sizes, duration })
+        Ok(Self { judges, reference, sizes, duration })
     }
 
     /// The first reference by another method.
     pub(in crate::chart) fn judge_of(&self, method: &str) -> Option<Rc<Trajectory>> {
         self.judges.iter().find(|(name, _)| *name != method).map(|(_, found)| Rc::clone(found))
-    }
-
-    pub(super) fn described(&self) -> Reference {
-        Reference { how: self.how.clone(), error: self.error }
     }
 }
 

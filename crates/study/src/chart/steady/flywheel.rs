@@ -7,8 +7,7 @@ use assur_integrator::{EquationOfMotion, Request};
 use assur_mechanism::{FlywheelPlace, Motion, Solve};
 use assur_words::{name, number, text};
 
-use super::Cycle;
-use super::settling::stepping;
+use super::{Cycle, settling::stepping};
 use crate::chart::race::{Entry, Field, Verdict};
 use crate::chart::{Measurement, Reference, Setting, Stage};
 
@@ -92,8 +91,7 @@ fn effort(cycle: &Cycle<'_>, exact: bool) -> Option<usize> {
     let mut machine = cycle.machine();
     let solver = RegimeSolver::new(&mut machine, cycle.request).ok()?;
     black_box(solver.mean_resistance());
-    drop(solver);
-    Some(machine.count)
+    Some(solver.evaluations())
 }
 
 #[cfg(test)]

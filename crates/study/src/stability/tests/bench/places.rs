@@ -258,9 +258,10 @@ fn disparate() -> Vec<Comparison> {
         let loads = test_loads(&linkage).into_iter().enumerate();
         let heavy =
             loads.map(|(link, load)| times(load, [1.0, 1.0, 1.0 / ratio, ratio][link.min(3)])).collect();
-        if let Some(walk) = Walk::new(&linkage) {
+        if let Some(mut walk) = Walk::new(&linkage) {
             let words = "light rod, heavy slider";
-            walk.with_loads(heavy).stop(&beside(words), (1.0, 1.0), ratio * ratio, &mut rows);
+            walk.loads = heavy;
+            walk.stop(&beside(words), (1.0, 1.0), ratio * ratio, &mut rows);
         }
     }
     rows
