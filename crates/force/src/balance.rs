@@ -135,7 +135,7 @@ impl<T: Real> Reactions<T> {
         Self {
             balancing: T::from_f64(f64::NAN),
             unit: UnitBalance::of(&linkage.mechanism),
-            solved: groups.map(|group| linkage.chain.is_needed(group)).collect(),
+            solved: groups.map(|group| linkage.chain.needed[group]).collect(),
             open: Vec::new(),
             friction: None,
             further: Vec::new(),

@@ -126,7 +126,7 @@ impl FormulaLaw {
                 }
             }
         }
-        let breaks = Breaks::new(points, span.periodic.then_some(span.length));
+        let breaks = Breaks::new(points, span.period());
         for index in 0..breaks.count() {
             let within = |q: f64| if span.periodic { q } else { q.clamp(span.from, span.from + span.length) };
             let inside = breaks.inside(index, span.ends());

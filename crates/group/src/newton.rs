@@ -6,12 +6,11 @@
 use assur_number::elimination::Factored;
 use assur_number::{Real, elementary};
 
-use crate::general::{derive_by, quadratic, reactions_under_generally, sized, unfit};
+use crate::general::{derive_by, right_side, sized, unfit};
 use crate::plane::{direction, minus, times, vector};
 use crate::solver::{Solver, entries, guide};
 use crate::{
     AssurGroup, Body, BuildError, GroupError, GroupFrame, GroupKind, Number, Order, Pair, PairGeometry,
-    Wrench,
 };
 
 /// Kernel of any kind without closed forms: places by Newton's method, derivatives and reactions by the general solution.
@@ -38,16 +37,6 @@ impl<T: Real> AssurGroup<T> for Iterated {
     fn solve(&self, bodies: &mut [Body<T>], way: usize, order: Order) -> Result<T, GroupError> {
         let frame = &self.0;
         sized!(frame, solve_signed(frame, bodies, way == 0, order), Err(unfit(frame)))
-    }
-
-    fn reactions_under(
-        &self,
-        bodies: &[Body<T>],
-        loads: &mut [Wrench<T>],
-        reactions: &mut [Wrench<T>],
-        sets: usize,
-    ) -> Result<(), GroupError> {
-        reactions_under_generally(&self.0, bodies, loads, reactions, sets)
     }
 }
 
@@ -143,7 +132,7 @@ fn to_partner<T: Real, S: Solver<T>>(frame: &GroupFrame, bodies: &mut [Body<T>],
     });
     let mut bend = S::zeros(frame);
     // The right-hand side of the second order is minus the quadratic terms.
-    quadratic(frame, &moved, bend.as_mut());
+    right_side(frame, &moved, true, bend.as_mut());
     let curved = bend.as_ref().iter().zip(w.as_ref()).fold(T::ZERO, |sum, (bend, w)| sum + *bend * *w);
     let t = linear.twice() / curved;
     let most = v.as_ref().chunks_exact(3).map(|part| part[2].abs().to_f64()).fold(0.0, f64::max);
@@ -242,18 +231,15 @@ fn newton_sized<T: Real, S: Solver<T>>(frame: &GroupFrame, bodies: &mut [Body<T>
 fn take<T: Real>(frame: &GroupFrame, bodies: &mut [Body<T>], step: &[T], part: T) {
     let scale = part * T::from_f64(frame.scale);
     for (own, &link) in step.chunks_exact(3).zip(&frame.links) {
-        nudge(&mut bodies[link], [own[0] * scale, own[1] * scale, own[2] * part]);
+        let body = &mut bodies[link];
+        body.x -= own[0] * scale;
+        body.y -= own[1] * scale;
+        let (s, c) = (-(own[2] * part)).sin_cos();
+        // The direction remains a unit vector.
+        let [x, y] = body.turned([c, s]);
+        let length = (x * x + y * y).sqrt();
+        (body.c, body.s) = (x / length, y / length);
     }
-}
-
-/// Subtracts a Newton step from the pose of a body; its direction remains a unit vector.
-fn nudge<T: Real>(body: &mut Body<T>, step: [T; 3]) {
-    body.x -= step[0];
-    body.y -= step[1];
-    let (s, c) = (-step[2]).sin_cos();
-    let [x, y] = body.turned([c, s]);
-    let length = (x * x + y * y).sqrt();
-    (body.c, body.s) = (x / length, y / length);
 }
 
 /// Rounding of a constraint, in units of the last place.

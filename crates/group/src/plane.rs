@@ -68,6 +68,13 @@ pub fn times<T: Real>(a: [T; 2], b: [T; 2]) -> [T; 2] {
     [a[0] * b[0] - a[1] * b[1], a[0] * b[1] + a[1] * b[0]]
 }
 
+/// The vector with given scalar products with two others.
+#[inline(always)]
+pub fn meet<T: Real>(n: [[T; 2]; 2], [a, b]: [T; 2]) -> [T; 2] {
+    let inverse = T::ONE / cross(n[0], n[1]);
+    [(a * n[1][1] - b * n[0][1]) * inverse, (b * n[0][0] - a * n[1][0]) * inverse]
+}
+
 /// Complex conjugate: the opposite rotation.
 #[inline(always)]
 pub fn mirrored<T: Real>(a: [T; 2]) -> [T; 2] {

@@ -108,11 +108,6 @@ impl Branch {
         passed.map_or(coordinate, |one| self.coordinate(one.distance))
     }
 
-    /// Whether the branch covers its full length.
-    pub(crate) fn is_complete(&self) -> bool {
-        self.failure.is_none()
-    }
-
     /// Ends the branch at a coordinate, after this number of samples.
     pub(crate) fn end(&mut self, coordinate: f64, samples: usize, failure: ChainError) {
         self.reached = coordinate - self.from;

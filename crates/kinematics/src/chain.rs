@@ -59,8 +59,8 @@ pub struct Chain<T: Number> {
     pub input: ChainInput<T>,
     /// The groups in solving order.
     pub groups: Vec<Box<dyn AssurGroup<T>>>,
-    /// Whether each group is solved; all are, unless [`limit_to`](Self::limit_to) leaves some out.
-    pub(crate) needed: Vec<bool>,
+    /// Whether each group is solved; all are at first. No needed group may depend on one that is not.
+    pub needed: Vec<bool>,
     bodies: usize,
     /// Passive links, placed after the groups.
     hanging: Vec<Hanging<T>>,
@@ -80,18 +80,6 @@ impl<T: Number> Chain<T> {
         let needed = vec![true; groups.len()];
         let hanging = structure.passive.iter().filter_map(|passive| Hanging::of(&passive.frame)).collect();
         Ok(Self { input: input_of(mechanism), groups, needed, bodies: structure.links, hanging })
-    }
-
-    /// Leaves out the groups that are not needed; no needed group may depend on them.
-    pub fn limit_to(&mut self, needed: &[bool]) {
-        for (mine, needed) in self.needed.iter_mut().zip(needed) {
-            *mine = *needed;
-        }
-    }
-
-    /// Whether a group is solved.
-    pub fn is_needed(&self, group: usize) -> bool {
-        self.needed[group]
     }
 
     /// Bodies at rest at the origin, as storage for a solution.

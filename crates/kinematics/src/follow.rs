@@ -10,11 +10,11 @@ use assur_structure::Structure;
 
 use crate::branch::{Branch, Passage};
 use crate::dependence::Dependence;
+use crate::enclosures::turns_regularly;
 use crate::first::{First, first_ways};
 use crate::follower::Follower;
 use crate::interpolants::Interpolants;
 use crate::poses::{Guesses, iterated};
-use crate::regular::turns_regularly;
 use crate::ways::{Transition, Ways};
 use crate::wide::{Extended, Wide};
 use crate::{AssemblyRange, Chain, ChainError};
@@ -114,7 +114,7 @@ impl Path<'_> {
         loop {
             let (length, samples) = (TAU * turns as f64, SAMPLES * turns);
             let mut branch = self.branch(length, samples);
-            if !branch.is_complete() {
+            if branch.failure.is_some() {
                 let back = self.branch(-length, samples);
                 return self.joined(&branch, &back, Some(TAU));
             }

@@ -54,7 +54,7 @@ impl Follower<'_> {
         let mut scratch = Scratch { bodies: self.chain.bodies(), lanes: self.lane_chain.bodies() };
         self.place_input(&mut branch, &mut scratch);
         let released = self.released();
-        for group in (0..self.chain.groups.len()).filter(|group| self.chain.is_needed(*group)) {
+        for group in (0..self.chain.groups.len()).filter(|group| self.chain.needed[*group]) {
             self.follow_group(group, &mut branch, is_back, &mut scratch);
             for &link in &released[group] {
                 branch.poses[link] = Poses::default();

@@ -84,10 +84,10 @@ impl Linkage {
         needed: &[bool],
     ) -> Result<Self, CompileError> {
         let mut chain = Chain::compile(&mechanism, &structure)?;
-        chain.limit_to(needed);
+        chain.needed = needed.to_vec();
         refuse_without_start(&mechanism, &structure, &chain)?;
         let mut lane_chain = Chain::compile(&mechanism, &structure)?;
-        lane_chain.limit_to(needed);
+        lane_chain.needed = needed.to_vec();
         let followed = follow(&mechanism, &structure, (&chain, &lane_chain));
         let mut linkage = Self {
             mechanism,
@@ -135,11 +135,6 @@ impl Linkage {
     /// The kernels of the groups in solving order.
     pub fn groups(&self) -> &[Box<dyn AssurGroup<f64>>] {
         &self.chain.groups
-    }
-
-    /// The kernels of the groups for eight positions at once, in solving order.
-    pub fn lane_groups(&self) -> &[Box<dyn AssurGroup<Lanes>>] {
-        &self.lane_chain.groups
     }
 
     /// Whether the coordinate is an angle (rad); otherwise a displacement (m).

@@ -54,14 +54,8 @@ pub(crate) struct Wide<'a> {
     dependence: &'a Dependence,
     /// Highest order of the derivatives in the states.
     order: Order,
-    states: HashMap<[u64; 2], SolvedBodies>,
-}
-
-/// All links at one coordinate, and which groups are already solved there.
-#[derive(Debug)]
-struct SolvedBodies {
-    bodies: Vec<Body<Dd>>,
-    is_solved: Vec<bool>,
+    /// By coordinate: all links, and which groups are already solved.
+    states: HashMap<[u64; 2], (Vec<Body<Dd>>, Vec<bool>)>,
 }
 
 impl<'a> Wide<'a> {
@@ -94,21 +88,21 @@ impl<'a> Wide<'a> {
             self.states.clear();
         }
         let chain = self.extended.chain().ok_or(GroupError::Singular { health: f64::NAN })?;
-        let state = self.states.entry(key).or_insert_with(|| {
+        let (bodies, is_solved) = self.states.entry(key).or_insert_with(|| {
             let mut guess = vec![Body::ground(); chain.bodies().len()];
             assembly.guess(q.to_f64(), &mut guess);
             let mut bodies: Vec<_> = guess.iter().map(|body| body.map(Dd::from_f64)).collect();
             chain.set_input(q, &mut bodies);
-            SolvedBodies { bodies, is_solved: vec![false; chain.groups.len()] }
+            (bodies, vec![false; chain.groups.len()])
         });
-        for ancestor in self.dependence.ancestors(group, |group| state.is_solved[group]) {
+        for ancestor in self.dependence.ancestors(group, |group| is_solved[group]) {
             let way = assembly.way(ancestor, q.to_f64());
-            let solved = chain.groups[ancestor].solve(&mut state.bodies, usize::from(way), self.order);
+            let solved = chain.groups[ancestor].solve(bodies, usize::from(way), self.order);
             solved.map_err(|_| GroupError::Singular { health: f64::NAN })?;
-            state.is_solved[ancestor] = true;
+            is_solved[ancestor] = true;
         }
         let kernel = &chain.groups[group];
-        let health = kernel.solve(&mut state.bodies, usize::from(way), self.order)?;
-        Ok((kernel.frame().links.iter().map(|link| state.bodies[*link]).collect(), health))
+        let health = kernel.solve(bodies, usize::from(way), self.order)?;
+        Ok((kernel.frame().links.iter().map(|link| bodies[*link]).collect(), health))
     }
 }

@@ -152,18 +152,6 @@ impl Real for Dd {
     fn abs(self) -> Self {
         if self.hi < 0.0 { -self } else { self }
     }
-    fn least(self) -> f64 {
-        self.to_f64()
-    }
-    fn greatest(self) -> f64 {
-        self.to_f64()
-    }
-    fn clamp_negative(self) -> Self {
-        if self.hi < 0.0 { Self::ZERO } else { self }
-    }
-    fn sign(self) -> Self {
-        if self.hi < 0.0 { -Self::ONE } else { Self::ONE }
-    }
     fn sin_cos(self) -> (Self, Self) {
         let turns = (self.hi / HALF_PI[0]).round();
         let n = Self::from_f64(turns);

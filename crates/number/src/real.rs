@@ -61,9 +61,15 @@ pub trait Real:
     #[must_use]
     fn abs(self) -> Self;
     /// The smallest lane; NaN if a lane is NaN.
-    fn least(self) -> f64;
+    #[inline(always)]
+    fn least(self) -> f64 {
+        self.to_f64()
+    }
     /// The greatest lane; NaN if a lane is NaN.
-    fn greatest(self) -> f64;
+    #[inline(always)]
+    fn greatest(self) -> f64 {
+        self.to_f64()
+    }
     /// Whether every lane is at least `limit`; no, if a lane is NaN.
     #[inline(always)]
     fn at_least(self, limit: f64) -> bool {
@@ -76,10 +82,16 @@ pub trait Real:
     }
     /// The greater of this number and zero, lane by lane.
     #[must_use]
-    fn clamp_negative(self) -> Self;
+    #[inline(always)]
+    fn clamp_negative(self) -> Self {
+        if self.to_f64() < 0.0 { Self::ZERO } else { self }
+    }
     /// -1 for a negative number, else 1, lane by lane.
     #[must_use]
-    fn sign(self) -> Self;
+    #[inline(always)]
+    fn sign(self) -> Self {
+        if self.to_f64() < 0.0 { -Self::ONE } else { Self::ONE }
+    }
     /// Sine and cosine of an angle, rad.
     fn sin_cos(self) -> (Self, Self);
 
@@ -133,22 +145,6 @@ macro_rules! primitive {
             #[inline(always)]
             fn abs(self) -> Self {
                 $float::abs(self)
-            }
-            #[inline(always)]
-            fn least(self) -> f64 {
-                self.to_f64()
-            }
-            #[inline(always)]
-            fn greatest(self) -> f64 {
-                self.to_f64()
-            }
-            #[inline(always)]
-            fn clamp_negative(self) -> Self {
-                if self < 0.0 { 0.0 } else { self }
-            }
-            #[inline(always)]
-            fn sign(self) -> Self {
-                if self < 0.0 { -1.0 } else { 1.0 }
             }
             #[inline(always)]
             fn sin_cos(self) -> (Self, Self) {

@@ -9,7 +9,7 @@ use assur_words::{Text, joined, name, text};
 use crate::frame::{Incidence, LeftOut, frame_of, input_pair, pair_alone, typical_length};
 use crate::graph::{Block, Graph, Node};
 use crate::{
-    Counted, Group, Mobility, NamedPair, Passive, PassivePart, Structure, StructureError, name_of, roman,
+    Counted, Group, Mobility, NamedPair, Passive, PassivePart, Structure, StructureError, roman,
 };
 
 impl Structure {
@@ -131,7 +131,7 @@ fn refuse_other_mobility(
     };
     let surplus = graph.surplus().map(|(blocks, nodes)| {
         let mut seen = HashSet::new();
-        let names = blocks.into_iter().map(|block| name_of(mechanism, graph.blocks[block].source));
+        let names = blocks.into_iter().map(|block| mechanism.pair_name(graph.blocks[block].source));
         let pairs: Vec<String> = names.filter(|name| seen.insert(*name)).map(ToString::to_string).collect();
         (pairs, link_names(&nodes))
     });
@@ -199,7 +199,7 @@ fn group_of(mechanism: &Mechanism, frame: GroupFrame, pairs: &[NamedPair]) -> Re
     };
     let held = frame.pairs().filter(|pair| pair.is_slide()).find_map(|slide| {
         let pin = frame.pairs().find(|pair| !pair.is_slide() && joins(pair, slide))?;
-        Some([pin, slide].map(|pair| Box::new(name_of(mechanism, pairs[pair.id].source).clone())))
+        Some([pin, slide].map(|pair| Box::new(mechanism.pair_name(pairs[pair.id].source).clone())))
     });
     if let Some([pin, slide]) = held {
         return Err(StructureError::Held { pin, slide });
@@ -221,7 +221,7 @@ fn pattern(mechanism: &Mechanism, frame: &GroupFrame, pairs: &[NamedPair]) -> Te
     let named = |list: &[Pair]| {
         let names = list.iter().map(|pair| {
             let letter = if pair.is_slide() { "P" } else { "R" };
-            joined(" ", [name(letter), Text::from(name_of(mechanism, pairs[pair.id].source))])
+            joined(" ", [name(letter), Text::from(mechanism.pair_name(pairs[pair.id].source))])
         });
         assur_words::list(names)
     };

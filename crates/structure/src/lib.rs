@@ -17,7 +17,7 @@ assur_words::resources!();
 
 pub use compose::Excess;
 pub use error::{Counted, StructureError};
-pub use taken_apart::{Group, Mobility, NamedPair, Passive, PassivePart, Structure, name_of, roman};
+pub use taken_apart::{Group, Mobility, NamedPair, Passive, PassivePart, Structure, roman};
 
 #[cfg(test)]
 mod tests;

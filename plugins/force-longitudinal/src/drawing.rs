@@ -7,9 +7,7 @@ use assur_kinematics::Linkage;
 use assur_number::{ROUNDING, elementary};
 use assur_words::{Text, joined, name, number, quantity, text};
 
-use crate::layout::{End, Layout};
-use crate::layout::{Setting, Unknowns};
-use crate::layout::{at_a, at_b};
+use crate::layout::{End, Layout, Setting, Unknowns, at_a, at_b};
 
 /// What the drawing needs besides [`Setting`] and [`Unknowns`].
 #[derive(Debug)]
@@ -111,17 +109,10 @@ fn push_line(
     [after, vector]: [[f64; 2]; 2],
     note: Text,
 ) {
-    let (kind, drawing) = (VectorKind::Line, Drawing::Mechanism);
-    draft.push(ConstructionStep {
-        name: lettered(symbol),
-        kind,
-        drawing,
-        start,
-        after,
-        vector,
-        unit: "N",
-        note,
-    });
+    push(draft, (Drawing::Mechanism, VectorKind::Line), [(symbol, start, vector, note)]);
+    if let Some(line) = draft.last_mut() {
+        (line.after, line.unit) = (after, "N");
+    }
 }
 
 /// The symbol of a step; some have letters of their own in each language.

@@ -12,8 +12,7 @@ use assur_kinematics::Linkage;
 use assur_number::{ROUNDING, elementary};
 use assur_words::{Text, text};
 
-use crate::layout::{End, Layout};
-use crate::layout::{Setting, Unknowns};
+use crate::layout::{End, Layout, Setting, Unknowns};
 use crate::{Longitudinal, singular};
 
 /// Why the equations have no solution.

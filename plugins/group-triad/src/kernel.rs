@@ -189,34 +189,11 @@ impl<T: Real> Legged<T> {
         Ok(health.abs())
     }
 
-    /// [`Self::complete`] where one position is solved alone.
-    pub(crate) fn lone_complete(
-        &self,
-        bodies: &mut [Body<T>],
-        (lines, health): (&Lines<T>, T),
-        order: Order,
-    ) -> Result<T, GroupError> {
-        self.put_legs(bodies)?;
-        self.lone_differentiate(bodies, lines, order)?;
-        Ok(health.abs())
-    }
-
     /// Places the legs; an error where a place is no number.
     #[inline(always)]
-    fn put_legs(&self, bodies: &mut [Body<T>]) -> Result<(), GroupError> {
+    pub(crate) fn put_legs(&self, bodies: &mut [Body<T>]) -> Result<(), GroupError> {
         self.finish(bodies);
         self.numbers(bodies, [T::ZERO; 3], |leg| leg.x + leg.y)
-    }
-
-    /// [`Self::differentiate`] where one position is solved alone, compiled once for all its callers.
-    #[inline(never)]
-    fn lone_differentiate(
-        &self,
-        bodies: &mut [Body<T>],
-        lines: &Lines<T>,
-        order: Order,
-    ) -> Result<(), GroupError> {
-        self.differentiate(bodies, lines, order)
     }
 
     /// PF1 and PF2 at these lines.
@@ -290,7 +267,7 @@ impl<T: Real> AssurGroup<T> for Legged<T> {
     }
 
     fn derive(&self, bodies: &mut [Body<T>], order: Order) -> Result<(), GroupError> {
-        self.lone_differentiate(bodies, &self.lone_lines(bodies).0, order)
+        self.differentiate(bodies, &self.lone_lines(bodies).0, order)
     }
 
     fn solve(&self, bodies: &mut [Body<T>], way: usize, order: Order) -> Result<T, GroupError> {
@@ -301,15 +278,6 @@ impl<T: Real> AssurGroup<T> for Legged<T> {
         self.lone_lines(bodies).1.abs().least()
     }
 
-    fn reactions(
-        &self,
-        bodies: &[Body<T>],
-        loads: &mut [Wrench<T>],
-        reactions: &mut [Wrench<T>],
-    ) -> Result<(), GroupError> {
-        self.reactions_under(bodies, loads, reactions, 1)
-    }
-
     fn reactions_under(
         &self,
         bodies: &[Body<T>],
@@ -317,11 +285,9 @@ impl<T: Real> AssurGroup<T> for Legged<T> {
         reactions: &mut [Wrench<T>],
         sets: usize,
     ) -> Result<(), GroupError> {
-        let [loaded, pairs] = [loads.len(), reactions.len()].map(|all| (all / sets.max(1)).max(1));
-        let sets = loads.chunks_exact_mut(loaded).zip(reactions.chunks_exact_mut(pairs));
         T::evaluate(
             #[inline(always)]
-            move || self.balance_all(bodies, sets.map(|(loads, reactions)| Forces { loads, reactions })),
+            move || self.balance_all(bodies, Forces::sets(loads, reactions, sets)),
         )
     }
 

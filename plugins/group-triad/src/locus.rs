@@ -1,9 +1,8 @@
 //! The conditions of three legs on the pose of the plate relative to the base, and all poses that satisfy them.
 
-use assur_group::plane::{cross, dot, minus, opposite, perp, plus, scaled, times};
+use assur_group::plane::{cross, dot, meet, minus, opposite, perp, plus, scaled, times};
 use assur_number::{Real, elementary};
 
-use crate::leg::meet;
 use crate::trig::{Trig, sampled};
 
 /// A determinant of two lines below this, in parts of its greatest value, is not divided by, nor is it where circles are closer to

@@ -206,7 +206,7 @@ impl Place<'_> {
         let mut bodies = self.bodies;
         let Ok(_) = kernel.place(&mut bodies, way) else { return };
         let mut pairs = [Wrench::ZERO; 3];
-        let forces = reactions_generally(self.frame, &bodies, &mut loads(self.size), &mut pairs)
+        let forces = reactions_generally(self.frame, &bodies, &mut loads(self.size), &mut pairs, 1)
             .map(|()| reactions(&pairs, &reference.pairs, self.size))
             .map_err(|error| self.refused(error));
         let derived = derive_generally(self.frame, &mut bodies, Order::Second);
