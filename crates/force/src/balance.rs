@@ -1,7 +1,6 @@
 //! The place where the balancing load acts.
 
-use assur_group::plane::vector;
-use assur_group::{Body, Wrench};
+use assur_group::{Body, Wrench, plane::vector};
 use assur_kinematics::Linkage;
 use assur_mechanism::{Balance, InputPair, LinkId, Mechanism};
 use assur_number::{ROUNDING, Real, elementary};

@@ -3,12 +3,10 @@
 use assur_integrator::{Piece, Stretch};
 use assur_mechanism::LoadId;
 
-use crate::LoadState;
-use crate::breaks::cut;
 use crate::law::{Active, Law};
 use crate::loads::{Action, Applied, ArcContact, Loads};
-use crate::sliding::Sliding;
 use crate::state::{Selection, Side};
+use crate::{LoadState, breaks::cut, sliding::Sliding};
 
 /// The formulas of all loads on one side of a state, or in one smooth piece.
 pub(crate) trait Formulas {
@@ -228,7 +226,7 @@ impl Loads {
     /// A phase with room for all loads, not yet entered.
     pub fn phase(&self) -> Phase {
         let new = LoadPhase {
-            laws: [Active::only(); 2],
+            laws: [Active::default(); 2],
             stays: [f64::NEG_INFINITY, f64::INFINITY],
             touches: true,
             friction_sense: 0.0,
@@ -275,7 +273,6 @@ pub(crate) struct LoadPhase {
     laws: [Active; 2],
     /// The interval of the coordinate in which the point or link does not reverse against whose motion it is.
     stays: [f64; 2],
-    /// Whether a contact touches.
     pub(crate) touches: bool,
     /// Sign of the friction of a contact that is against its sliding.
     friction_sense: f64,

@@ -4,9 +4,7 @@ use assur_group::plane::{dot, vector};
 use assur_group::{Body, Order};
 use assur_kinematics::{LanePosition, Linkage, Position, PositionError};
 use assur_mechanism::{LinkId, Place};
-use assur_number::elementary;
-use assur_number::search::try_newton_root;
-use assur_number::{Intervals, Lanes};
+use assur_number::{Intervals, Lanes, elementary, search::try_newton_root};
 
 use crate::breaks::Breaks;
 
@@ -57,7 +55,6 @@ impl Span {
         Self { cells, ..self }
     }
 
-    /// Its ends.
     pub(crate) fn ends(&self) -> [f64; 2] {
         [self.from, self.from + self.length]
     }

@@ -4,8 +4,7 @@ use assur_group::{AssurGroup, Body, GroupError, Number, Pair, PairGeometry, Wren
 use assur_kinematics::Linkage;
 use assur_number::Real;
 
-use crate::balance::IdleBalance;
-use crate::{ForceError, Reactions};
+use crate::{ForceError, Reactions, balance::IdleBalance};
 
 /// Why there are no reactions.
 #[derive(Debug, Clone, Copy, PartialEq)]

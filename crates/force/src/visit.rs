@@ -6,10 +6,9 @@ use assur_group::plane::{dot, minus, opposite, plus, scaled, vector};
 use assur_mechanism::Spring;
 use assur_number::ROUNDING;
 
-use crate::LoadNumber;
 use crate::choice::{Choice, Formulas};
-use crate::law::Law;
 use crate::loads::{Action, Along, ArcContact, Cause, Loads, PointForce, Shoe};
+use crate::{LoadNumber, law::Law};
 
 /// Collects loads. A force acts at `arm` from the origin of the body; everything in the ground's frame.
 pub(crate) trait Sink<T> {

@@ -4,13 +4,11 @@ use std::ops::Range;
 
 use assur_number::search::bisect;
 
-use crate::branches::Branches;
 use crate::formula::{Formula, OF_MOTION};
-use crate::interval::Interval;
 use crate::number::{Number, Sign};
 use crate::program::{Variable, Variables};
-use crate::rounded::Rounded;
 use crate::slope::{Dual, Signed};
+use crate::{branches::Branches, interval::Interval, rounded::Rounded};
 
 /// Steps of the search: more only where intervals overestimate much; the branch is then said to end early, which costs
 /// another search and changes no value.

@@ -7,9 +7,8 @@
 
 use assur_number::Real;
 
-use crate::plane::minus;
 use crate::solver::{Solver, arms, rows};
-use crate::{Body, Forces, GroupError, GroupFrame, Order, Pair, Wrench};
+use crate::{Body, Forces, GroupError, GroupFrame, Order, Pair, Wrench, plane::minus};
 
 /// Calls a function with the solver for the number of links as its first type.
 macro_rules! sized {
@@ -208,23 +207,13 @@ fn balance<T: Real, S: Solver<T>>(
             _ => Wrench { fx: one, fy: two, m: T::ZERO },
         };
         reactions[pair.id] = reaction;
-        push_outer(frame, bodies, pair, &reaction, loads);
-    }
-}
-
-/// Adds the reaction of an outer pair to the load of the body outside the group.
-fn push_outer<T: Real>(
-    frame: &GroupFrame,
-    bodies: &[Body<T>],
-    pair: &Pair,
-    reaction: &Wrench<T>,
-    loads: &mut [Wrench<T>],
-) {
-    let (on_a, on_b) = arms(pair, bodies);
-    if frame.column(pair.b).is_none() {
-        loads[pair.b].add_at(on_b, [-reaction.fx, -reaction.fy], -reaction.m);
-    }
-    if frame.column(pair.a).is_none() {
-        loads[pair.a].add_at(on_a, reaction.force(), reaction.m);
+        // An outer pair loads the body outside the group.
+        let (on_a, on_b) = arms(pair, bodies);
+        if frame.column(pair.b).is_none() {
+            loads[pair.b].add_at(on_b, [-reaction.fx, -reaction.fy], -reaction.m);
+        }
+        if frame.column(pair.a).is_none() {
+            loads[pair.a].add_at(on_a, reaction.force(), reaction.m);
+        }
     }
 }

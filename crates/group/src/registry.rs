@@ -1,15 +1,12 @@
 //! The registry of the kinds of groups.
 
-use std::cmp::Ordering;
-use std::f64::consts::FRAC_PI_2;
-use std::sync::OnceLock;
+use std::{cmp::Ordering, f64::consts::FRAC_PI_2, sync::OnceLock};
 
 use assur_number::elementary;
 use assur_plugin::{Registered, RegistryError};
 use assur_words::{Text, text};
 
-use crate::builders::{Builders, Number};
-use crate::{AssurGroup, Body, BuildError, GroupFrame, Pattern};
+use crate::{Body, Builders, GroupFrame, Pattern};
 
 /// The assemblies of a kind: the ways in which its links can be put together.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -188,12 +185,4 @@ pub fn plugin_for(frame: &GroupFrame) -> Result<Option<&'static GroupPlugin>, Re
         }
         _ => Ok(best),
     }
-}
-
-/// The kernel of a group in one number type.
-pub fn kernel_of<T: Number>(
-    plugin: &GroupPlugin,
-    frame: &GroupFrame,
-) -> Result<Box<dyn AssurGroup<T>>, BuildError> {
-    T::build(&plugin.builders, frame)
 }

@@ -1,13 +1,12 @@
 //! The compiled chain: input link and groups as flat data.
 
 use assur_group::plane::{plus, scaled, vector};
-use assur_group::{Anchor, AssurGroup, Body, GroupError, Number, Order, kernel_of};
+use assur_group::{Anchor, AssurGroup, Body, GroupError, Number, Order};
 use assur_mechanism::{InputPair, Mechanism};
 use assur_number::Real;
 use assur_structure::Structure;
 
-use crate::CompileError;
-use crate::passive::hang::Hanging;
+use crate::{CompileError, passive::hang::Hanging};
 
 /// The input link in one number type.
 #[derive(Debug, Clone, Copy)]
@@ -71,7 +70,7 @@ impl<T: Number> Chain<T> {
     pub fn compile(mechanism: &Mechanism, structure: &Structure) -> Result<Self, CompileError> {
         let mut groups = Vec::with_capacity(structure.groups.len());
         for (i, group) in structure.groups.iter().enumerate() {
-            let kernel = kernel_of::<T>(group.plugin, &group.frame).map_err(|source| {
+            let kernel = T::build(&group.plugin.builders, &group.frame).map_err(|source| {
                 let link = source.link.map(|link| mechanism.links[link].name.to_string());
                 CompileError::Build { group: Box::new(structure.group_name(mechanism, i)), source, link }
             })?;

@@ -6,9 +6,7 @@ use assur_mechanism::{GROUND, Mechanism};
 use assur_number::{Dd, Real};
 use assur_structure::Structure;
 
-use crate::start::start;
-use crate::wide::Extended;
-use crate::{Chain, ChainError};
+use crate::{Chain, ChainError, start::start, wide::Extended};
 
 /// Distances that differ by less than this (in parts of the scale) count as equal. Near a change point the modes
 /// differ by less than the resolution of 16 digits, but by more than this.

@@ -9,15 +9,14 @@ use assur_number::Lanes;
 use assur_structure::Structure;
 
 use crate::branch::{Branch, Passage};
-use crate::dependence::Dependence;
-use crate::enclosures::turns_regularly;
 use crate::first::{First, first_ways};
-use crate::follower::Follower;
-use crate::interpolants::Interpolants;
 use crate::poses::{Guesses, iterated};
 use crate::ways::{Transition, Ways};
 use crate::wide::{Extended, Wide};
-use crate::{AssemblyRange, Chain, ChainError};
+use crate::{
+    AssemblyRange, Chain, ChainError, dependence::Dependence, enclosures::turns_regularly,
+    follower::Follower, interpolants::Interpolants,
+};
 
 /// Samples over one turn, or over the length of the range of a sliding input.
 const SAMPLES: usize = 720;

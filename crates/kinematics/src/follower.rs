@@ -5,13 +5,11 @@ use assur_number::{Dd, Lanes, Real};
 use assur_structure::Structure;
 
 use crate::branch::{Branch, Passage};
-use crate::dependence::Dependence;
 use crate::meeting::{Judge, Minimum};
-use crate::poses::Poses;
 use crate::samples::{Samples, Scratch};
 use crate::track::{Tracker, pose_distance};
 use crate::wide::{Assembly, Wide};
-use crate::{Chain, ChainError};
+use crate::{Chain, ChainError, dependence::Dependence, poses::Poses};
 
 /// Coordinates whose relative difference is smaller than this are equal.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;

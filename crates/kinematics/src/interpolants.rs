@@ -5,11 +5,9 @@ use assur_number::{Dd, Real};
 use assur_structure::Structure;
 
 use crate::interpolant::{Interpolant, Interpolation, Site};
-use crate::poses::Guesses;
-use crate::ways::Ways;
 use crate::wide::{Assembly, Wide};
+use crate::{poses::Guesses, ways::Ways};
 
-/// The interpolants.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Interpolants {
     /// By group.

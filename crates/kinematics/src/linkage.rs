@@ -1,22 +1,19 @@
 //! A mechanism compiled for many positions.
 
-use std::f64::consts::TAU;
-use std::sync::Arc;
+use std::{f64::consts::TAU, sync::Arc};
 
 use assur_group::{AssurGroup, Body, GroupError, Order};
 use assur_mechanism::{GROUND, Mechanism, Name, Slide};
 use assur_number::{Lanes, Real, elementary};
 use assur_structure::Structure;
 
-use crate::dependence::Dependence;
 use crate::follow::{coordinate_unit, follow};
-use crate::interpolant::Interpolation;
-use crate::interpolants::Interpolants;
 use crate::passive::{Misfit, decompose, misfits};
-use crate::poses::Guesses;
-use crate::start::refuse_without_start;
 use crate::ways::{END_ROUNDING, Transition, Ways, shifted};
-use crate::{AssemblyRange, Chain, ChainError, CompileError, PositionError};
+use crate::{
+    AssemblyRange, Chain, ChainError, CompileError, PositionError, dependence::Dependence,
+    interpolant::Interpolation, interpolants::Interpolants, poses::Guesses, start::refuse_without_start,
+};
 
 /// The way to a position from the nearest kept poses is divided into at most two to this power of steps.
 const MOST_HALVINGS: u32 = 8;

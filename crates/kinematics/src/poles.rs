@@ -1,8 +1,7 @@
 //! Finds where links run to infinity: two guides of a group become parallel without coinciding.
 
 use assur_group::Order;
-use assur_number::elementary;
-use assur_number::search::least;
+use assur_number::{elementary, search::least};
 
 use crate::{AssemblyRange, Enclosures, Linkage, Position, samples::SUSPECT};
 

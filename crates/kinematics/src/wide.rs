@@ -4,16 +4,14 @@
 //! give only 8 digits of the determinant. These don't show whether the modes meet, pass close to each other or leave a
 //! gap.
 
-use std::cell::OnceCell;
-use std::collections::HashMap;
+use std::{cell::OnceCell, collections::HashMap};
 
 use assur_group::{Body, GroupError, Order};
 use assur_mechanism::Mechanism;
 use assur_number::{Dd, Real};
 use assur_structure::Structure;
 
-use crate::Chain;
-use crate::dependence::Dependence;
+use crate::{Chain, dependence::Dependence};
 
 /// Number of states of the chain that are kept: the change points of many groups are often at one coordinate.
 const MOST_STATES: usize = 64;

@@ -1,8 +1,7 @@
 //! Names of links, points, pairs and loads.
 
 use std::borrow::{Borrow, Cow};
-use std::fmt;
-use std::ops::Deref;
+use std::{fmt, ops::Deref};
 
 use assur_words::{Text, name, text};
 use serde::Serialize;

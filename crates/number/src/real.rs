@@ -119,22 +119,23 @@ pub trait Real:
 
 macro_rules! primitive {
     ($float:ident, $sin_cos:path) => {
+        #[expect(clippy::allow_attributes, reason = "one macro serves both widths")]
+        #[allow(
+            clippy::cast_lossless,
+            clippy::cast_possible_truncation,
+            trivial_numeric_casts,
+            reason = "one macro serves both widths, and f32 is asked for to see what it loses"
+        )]
         impl Real for $float {
             const ZERO: Self = 0.0;
             const ONE: Self = 1.0;
-            #[expect(clippy::allow_attributes, reason = "one macro serves both widths")]
-            #[allow(clippy::cast_lossless, trivial_numeric_casts, reason = "one macro serves both widths")]
             const EPSILON: f64 = $float::EPSILON as f64;
 
             #[inline(always)]
-            #[expect(clippy::allow_attributes, reason = "one macro serves both widths")]
-            #[allow(clippy::cast_possible_truncation, reason = "f32 is asked for to see what it loses")]
             fn from_f64(value: f64) -> Self {
                 value as $float
             }
             #[inline(always)]
-            #[expect(clippy::allow_attributes, reason = "one macro serves both widths")]
-            #[allow(clippy::cast_lossless, reason = "one macro serves both widths")]
             fn to_f64(self) -> f64 {
                 self as f64
             }

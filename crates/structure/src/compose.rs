@@ -8,9 +8,7 @@ use assur_words::{Text, joined, name, text};
 
 use crate::frame::{Incidence, LeftOut, frame_of, input_pair, pair_alone, typical_length};
 use crate::graph::{Block, Graph, Node};
-use crate::{
-    Counted, Group, Mobility, NamedPair, Passive, PassivePart, Structure, StructureError, roman,
-};
+use crate::{Group, Mobility, NamedPair, Passive, PassivePart, Structure, StructureError, roman};
 
 impl Structure {
     /// Decomposes a mechanism into Assur groups.
@@ -24,7 +22,7 @@ impl Structure {
         let mobility = count(mechanism);
         let left_out = LeftOut::of(mechanism, parts);
         let graph = counted_system(mechanism, &left_out);
-        refuse_other_mobility(mechanism, &mobility, &graph)?;
+        refuse_other_mobility(mechanism, mobility, &graph)?;
         let incidence = Incidence::of(mechanism);
         let scale = typical_length(mechanism);
         let mut pairs = vec![input_pair(mechanism)];
@@ -119,13 +117,9 @@ pub(crate) fn counted_system(mechanism: &Mechanism, left_out: &LeftOut) -> Graph
 /// Returns an error that names the loose links or surplus pairs of a mechanism that one input does not determine.
 fn refuse_other_mobility(
     mechanism: &Mechanism,
-    mobility: &Mobility,
+    counted: Mobility,
     graph: &Graph,
 ) -> Result<(), StructureError> {
-    let counted = Counted {
-        mobility: mobility.value,
-        formula: format!("3*{} - 2*{}", mobility.moving_links, mobility.pairs),
-    };
     let link_names = |nodes: &[usize]| -> Vec<String> {
         links_of(graph, nodes).into_iter().map(|link| mechanism.links[link].name.to_string()).collect()
     };

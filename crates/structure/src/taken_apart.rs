@@ -40,6 +40,13 @@ pub struct Mobility {
     pub value: i64,
 }
 
+impl Mobility {
+    /// The calculation of W: `3*5 - 2*7`.
+    pub fn formula(&self) -> String {
+        format!("3*{} - 2*{}", self.moving_links, self.pairs)
+    }
+}
+
 /// A kinematic pair and the pin or slide of the scene that it belongs to.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct NamedPair {

@@ -4,7 +4,7 @@
 //! crank from -y towards x. Fb > 0 acts against the turning of A towards x, R1 > 0 from O to A, R3 > 0 towards -x on the coupler.
 
 use assur_group::Body;
-use assur_group::plane::{dot, minus};
+use assur_group::plane::{dot, length, minus};
 use assur_kinematics::Linkage;
 use assur_mechanism::GROUND;
 use assur_number::elementary;
@@ -277,7 +277,7 @@ fn arc(linkage: &Linkage, layout: &Layout) -> Option<Arc> {
     let mut own = own.filter(|contact| contact.center.link == layout.coupler);
     let contact = own.next().filter(|_| own.next().is_none() && matches!(layout.end, End::Guide(_)))?;
     let [n, to_a] = [minus(contact.center.at, layout.a.own), minus(layout.a.own, layout.b.own)];
-    let [r2, b] = [n, to_a].map(|way| elementary::hypot(way[0], way[1]));
+    let [r2, b] = [n, to_a].map(length);
     let beyond = dot(n, to_a) > 0.0 && assur_group::plane::cross(n, to_a).abs() <= PARALLEL * r2 * b;
     beyond.then_some(Arc { r2, b, radius: contact.radius })
 }

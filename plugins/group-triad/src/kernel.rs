@@ -2,11 +2,11 @@
 
 use std::any::TypeId;
 
-use assur_group::plane::{minus, vector};
+use assur_group::plane::{length, minus, vector};
 use assur_group::{
     AssurGroup, Body, BuildError, Forces, GroupError, GroupFrame, Mode, Order, Reading, SeenPair, Wrench,
 };
-use assur_number::{Lanes, Real, elementary};
+use assur_number::{Lanes, Real};
 
 use crate::leg::{Leg, Line};
 use crate::matrix::{Inverse, Matrix};
@@ -68,11 +68,7 @@ impl<T: Real> Legged<T> {
         };
         let anchor = legs.first().map_or([T::ZERO; 2], |leg: &Leg<T>| leg.ends()[0]);
         let size = |end: usize, from: [T; 2]| {
-            let far = legs.iter().map(|leg| {
-                let [x, y] = minus(leg.ends()[end], from);
-                elementary::hypot(x.to_f64(), y.to_f64())
-            });
-            let far = far.fold(0.0, f64::max);
+            let far = legs.iter().map(|leg| length(minus(leg.ends()[end], from))).fold(0.0, f64::max);
             if far > 0.0 { far } else { frame.scale }
         };
         let held = |outer: Option<&SeenPair>| outer.map_or(anchor, |seen| vector(seen.pair.places()[0].1));
@@ -88,7 +84,7 @@ impl<T: Real> Legged<T> {
 
     /// Violation of a condition that is rounding where base and plate are, m: far away places are rounded by their distance.
     pub(crate) fn rounding_at(&self, bodies: &[Body<T>]) -> f64 {
-        let [base, plate] = self.core(bodies).map(|body| elementary::hypot(body.x.to_f64(), body.y.to_f64()));
+        let [base, plate] = self.core(bodies).map(|body| length(body.origin()));
         self.rounding * (base.max(plate) / self.frame.scale).max(1.0)
     }
 
@@ -287,7 +283,12 @@ impl<T: Real> AssurGroup<T> for Legged<T> {
     ) -> Result<(), GroupError> {
         T::evaluate(
             #[inline(always)]
-            move || self.balance_all(bodies, Forces::sets(loads, reactions, sets)),
+            move || {
+                let lines = self.lines(bodies);
+                let inverse = self.determined(&lines)?;
+                let mut sets = Forces::sets(loads, reactions, sets);
+                sets.try_for_each(|mut forces| self.balance(bodies, (&lines, &inverse), &mut forces))
+            },
         )
     }
 

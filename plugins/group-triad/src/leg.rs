@@ -34,7 +34,6 @@ impl<T: Real> Line<T> {
 /// A leg with its lengths.
 #[derive(Debug, Clone)]
 pub(crate) struct Leg<T> {
-    /// The link.
     pub(crate) link: usize,
     /// The bodies at its ends.
     base: usize,

@@ -8,8 +8,7 @@ use std::any::TypeId;
 use assur_group::{AssurGroup, Body, GroupError, Order};
 use assur_number::{Lanes, ROUNDING, Real};
 
-use crate::kernel::Legged;
-use crate::matrix::Inverse;
+use crate::{kernel::Legged, matrix::Inverse};
 
 /// Most steps from a pose near the wanted one.
 const MOST_STEPS: usize = 12;

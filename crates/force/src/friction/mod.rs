@@ -9,11 +9,8 @@ use assur_mechanism::{Place, Surfaces};
 use assur_number::Real;
 use assur_words::Text;
 
-use crate::breaks::cut;
-use crate::choice::Selections;
 use crate::loads::{Action, PointForce, Shoe};
-use crate::state::Selection;
-use crate::{LoadState, Loads, Piece, Side};
+use crate::{LoadState, Loads, Piece, Side, breaks::cut, choice::Selections, state::Selection};
 
 mod bearing;
 mod coupling;

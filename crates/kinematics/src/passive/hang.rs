@@ -1,6 +1,6 @@
 //! Places a passive link by its pairs with links that are placed before it.
 
-use assur_group::plane::{cross, dot, meet, minus, perp, plus, scaled, times};
+use assur_group::plane::{cross, dot, length, meet, minus, perp, plus, scaled, times};
 use assur_group::{Body, GroupFrame, Order, PinJoint, SlideJoint};
 use assur_number::{Real, elementary};
 
@@ -35,10 +35,7 @@ impl<T: Real> Hanging<T> {
         let by = match (&guides[..], &pins[..]) {
             ([guide, ..], [pin, ..]) => By::Guided(*guide, *pin),
             ([], [first, others @ ..]) => {
-                let apart = |pin: &PinJoint<T>| {
-                    let [x, y] = minus(pin.own, first.own).map(Real::to_f64);
-                    elementary::hypot(x, y)
-                };
+                let apart = |pin: &PinJoint<T>| length(minus(pin.own, first.own));
                 let far = others.iter().max_by(|a, b| apart(a).total_cmp(&apart(b)));
                 By::Pins([*first, *far.filter(|far| apart(far) > 0.0)?])
             }

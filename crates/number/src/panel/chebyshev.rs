@@ -1,9 +1,7 @@
 //! Chebyshev polynomials on [-1, 1]: fit, value, integral; for methods that advance in panels of the coordinate or of
 //! the speed.
 
-use std::array::from_fn;
-use std::f64::consts::PI;
-use std::sync::LazyLock;
+use std::{array::from_fn, f64::consts::PI, sync::LazyLock};
 
 use crate::elementary;
 
