@@ -45,6 +45,9 @@ impl<'a> Extended<'a> {
     }
 }
 
+/// All links at one coordinate, and which groups are already solved there.
+type State = (Vec<Body<Dd>>, Vec<bool>);
+
 /// The chain in double-double with its most recently solved states.
 #[derive(Debug)]
 pub(crate) struct Wide<'a> {
@@ -52,8 +55,7 @@ pub(crate) struct Wide<'a> {
     dependence: &'a Dependence,
     /// Highest order of the derivatives in the states.
     order: Order,
-    /// By coordinate: all links, and which groups are already solved.
-    states: HashMap<[u64; 2], (Vec<Body<Dd>>, Vec<bool>)>,
+    states: HashMap<[u64; 2], State>,
 }
 
 impl<'a> Wide<'a> {
