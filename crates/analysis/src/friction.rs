@@ -6,7 +6,6 @@ use assur_kinematics::Position;
 use assur_mechanism::{Mechanism, PairId};
 use assur_number::quadrature::{PLACES, integrals, panels};
 use assur_number::search::{bisect, least};
-use assur_structure::name_of;
 use assur_words::{Text, number, text};
 use indexmap::IndexMap;
 use serde::Serialize;
@@ -104,7 +103,7 @@ impl Calculation {
         let (dead_angles, self_braking) = cycle.intervals([low, high], input.is_cycle());
         let works = if dead_angles.is_empty() { cycle.works([low, high]) } else { None };
         let pairs = self.linkage.mechanism.frictions.iter().map(|friction| friction.pair);
-        let named = pairs.clone().map(|pair| name_of(&self.linkage.mechanism, pair).to_string());
+        let named = pairs.clone().map(|pair| self.linkage.mechanism.pair_name(pair).to_string());
         let friction_work =
             named.enumerate().map(|(k, name)| (name, works.as_ref().map(|works| works[k + 1])));
         let total = works.as_ref().map(|works| -works[1..].iter().sum::<f64>());

@@ -2,7 +2,6 @@
 
 use assur_force::{Doubt, FrictionSolution, joints};
 use assur_kinematics::Linkage;
-use assur_structure::name_of;
 use indexmap::IndexMap;
 use serde::Serialize;
 
@@ -67,7 +66,7 @@ impl SolutionReport {
             if let Some(moment) = found.moment {
                 all.insert("moment".to_owned(), or_open(found.forces.len(), ForceOrMoment::Moment(moment)));
             }
-            (name_of(mechanism, joint.id).to_string(), all)
+            (mechanism.pair_name(joint.id).to_string(), all)
         });
         Self { balancing: solution.balancing, taken: solution.taken, reactions: reactions.collect() }
     }

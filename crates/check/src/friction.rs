@@ -44,7 +44,7 @@ pub(crate) fn compare(case: &Case<'_>, collector: &mut Collector) {
             // The sense may be that of a motion that begins there.
             let wrong = moving.abs() > 1e-9 && moving * force > 0.0 && force.abs() > limit * total;
             let off = if wrong { f64::INFINITY } else { (force - expected).abs() / (lever * total) };
-            let place = || assur_structure::name_of(mechanism, friction.pair).into();
+            let place = || mechanism.pair_name(friction.pair).into();
             collector.offer(case.one.index, off, limit, place);
         }
     }

@@ -1,7 +1,6 @@
 //! The place where the balancing load acts.
 
-use assur_group::plane::vector;
-use assur_group::{Body, Wrench};
+use assur_group::{Body, Wrench, plane::vector};
 use assur_kinematics::Linkage;
 use assur_mechanism::{Balance, InputPair, LinkId, Mechanism};
 use assur_number::{ROUNDING, Real, elementary};
@@ -135,7 +134,7 @@ impl<T: Real> Reactions<T> {
         Self {
             balancing: T::from_f64(f64::NAN),
             unit: UnitBalance::of(&linkage.mechanism),
-            solved: groups.map(|group| linkage.chain.is_needed(group)).collect(),
+            solved: groups.map(|group| linkage.chain.needed[group]).collect(),
             open: Vec::new(),
             friction: None,
             further: Vec::new(),

@@ -3,17 +3,15 @@
 use assur_integrator::{Piece, Stretch};
 use assur_mechanism::LoadId;
 
-use crate::LoadState;
-use crate::breaks::cut;
 use crate::law::{Active, Law};
 use crate::loads::{Action, Applied, ArcContact, Loads};
-use crate::sliding::Sliding;
 use crate::state::{Selection, Side};
+use crate::{LoadState, breaks::cut, sliding::Sliding};
 
 /// The formulas of all loads on one side of a state, or in one smooth piece.
 pub(crate) trait Formulas {
-    fn size(&self, loads: &Loads, load: usize, law: &Law, state: &LoadState) -> Active;
-    fn angle(&self, loads: &Loads, load: usize, law: &Law, state: &LoadState) -> Active;
+    /// Of a law of a load: 0 is that of its size, 1 that of the angle of a contact.
+    fn active(&self, loads: &Loads, law: (usize, usize, &Law), state: &LoadState) -> Active;
     fn touches(&self, loads: &Loads, load: usize, contact: &ArcContact, state: &LoadState) -> bool;
     /// Sign of the friction of a contact against its sliding, along (cos a, -sin a); 0 where nothing slides.
     fn friction_sense(&self, loads: &Loads, sliding: &Sliding, load: usize, state: &LoadState) -> f64;
@@ -60,12 +58,7 @@ impl Choice for Phase {
 
 impl Formulas for Selection {
     #[inline(always)]
-    fn size(&self, loads: &Loads, _: usize, law: &Law, state: &LoadState) -> Active {
-        law.at(state, self, loads.period)
-    }
-
-    #[inline(always)]
-    fn angle(&self, loads: &Loads, _: usize, law: &Law, state: &LoadState) -> Active {
+    fn active(&self, loads: &Loads, (_, _, law): (usize, usize, &Law), state: &LoadState) -> Active {
         law.at(state, self, loads.period)
     }
 
@@ -103,13 +96,8 @@ impl Formulas for Selection {
 
 impl Formulas for Phase {
     #[inline(always)]
-    fn size(&self, _: &Loads, load: usize, _: &Law, _: &LoadState) -> Active {
-        self.loads[load].size
-    }
-
-    #[inline(always)]
-    fn angle(&self, _: &Loads, load: usize, _: &Law, _: &LoadState) -> Active {
-        self.loads[load].angle
+    fn active(&self, _: &Loads, (load, law, _): (usize, usize, &Law), _: &LoadState) -> Active {
+        self.loads[load].laws[law]
     }
 
     #[inline(always)]
@@ -211,7 +199,7 @@ impl Loads {
     /// [`EquationOfMotion::holds`](assur_integrator::EquationOfMotion::holds).
     pub fn hold(&self, phase: &Phase, stretch: &Stretch) -> Option<bool> {
         let all = self.applied.iter().zip(&phase.loads);
-        let mut laws = all.flat_map(|(load, phase)| load.laws().zip([phase.size, phase.angle]));
+        let mut laws = all.flat_map(|(load, phase)| load.laws().zip(phase.laws));
         laws.try_fold(true, |all, (law, active)| match law {
             Law::Formula(law) => Some(law.holds(active.sides, stretch)? && all),
             _ => Some(all),
@@ -226,7 +214,7 @@ impl Loads {
         };
         let mut turned = None;
         for (load, phase) in self.applied.iter().zip(&mut phase.loads) {
-            for (law, active) in load.laws().zip([&mut phase.size, &mut phase.angle]) {
+            for (law, active) in load.laws().zip(&mut phase.laws) {
                 let Law::Formula(law) = law else { continue };
                 let found = law.turn(&mut active.sides, state, &side, self.period);
                 turned = found.map(|(function, column)| (load.id, function, column)).or(turned);
@@ -238,8 +226,7 @@ impl Loads {
     /// A phase with room for all loads, not yet entered.
     pub fn phase(&self) -> Phase {
         let new = LoadPhase {
-            size: Active::only(),
-            angle: Active::only(),
+            laws: [Active::default(); 2],
             stays: [f64::NEG_INFINITY, f64::INFINITY],
             touches: true,
             friction_sense: 0.0,
@@ -282,12 +269,10 @@ pub struct Phase {
 /// Which formulas of one load are in use.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct LoadPhase {
-    size: Active,
-    /// Of the angle of a contact.
-    angle: Active,
+    /// Of its size, and of the angle of a contact.
+    laws: [Active; 2],
     /// The interval of the coordinate in which the point or link does not reverse against whose motion it is.
     stays: [f64; 2],
-    /// Whether a contact touches.
     pub(crate) touches: bool,
     /// Sign of the friction of a contact that is against its sliding.
     friction_sense: f64,
@@ -303,14 +288,14 @@ impl LoadPhase {
         side: &Selection,
         bounds: &mut Piece,
     ) {
-        self.size = load.size.enter(state, side, loads.period, bounds);
+        self.laws[0] = load.size.enter(state, side, loads.period, bounds);
         let ahead = side.coordinate(state, loads.period);
         if let Some(rests) = load.rests() {
             self.stays = rests.interval(ahead).ends;
             cut(&mut bounds.coordinate, self.stays);
         }
         if let Action::Contact(contact) = &load.action {
-            self.angle = contact.angle.enter(state, side, loads.period, bounds);
+            self.laws[1] = contact.angle.enter(state, side, loads.period, bounds);
             let interval = contact.breaks.interval(ahead);
             self.touches = interval.index == contact.touching;
             cut(&mut bounds.coordinate, interval.ends);

@@ -1,8 +1,6 @@
 //! From the loads of a scene to flat compiled ones.
 
-use std::f64::consts::TAU;
-use std::mem::discriminant;
-use std::sync::Arc;
+use std::{f64::consts::TAU, mem::discriminant, sync::Arc};
 
 use assur_formula::Formula;
 use assur_group::Body;
@@ -14,15 +12,14 @@ use assur_mechanism::{
 use assur_number::elementary;
 use assur_words::{Text, text};
 
-use crate::breaks::Breaks;
-use crate::curve::Curve;
-use crate::formula::FormulaLaw;
 use crate::grid::{Bodies, GRID, Span, rests};
-use crate::law::Law;
 use crate::loads::{Action, Along, Applied, ArcContact, Mass, PointForce, Shoe};
 use crate::sliding::{Rate, Sliding};
 use crate::stroke::{Stroke, Travel};
-use crate::{Bearing, Block, Frictions, LoadError, LoadFault, LoadState, Loads, Unknown};
+use crate::{
+    Bearing, Block, Frictions, LoadError, LoadFault, LoadState, Loads, Unknown, breaks::Breaks, curve::Curve,
+    formula::FormulaLaw, law::Law,
+};
 
 /// How far from the first position the search over a cycle starts, as part of the cycle: much less than a cell of the
 /// grid.
@@ -37,7 +34,6 @@ const MOST_CYCLES: u32 = 100;
 /// Angles of a contact nearer to each other than this are the same, rad.
 const SAME_ANGLE: f64 = 1e-9;
 
-/// What compiling needs.
 struct Compiler<'a> {
     linkage: &'a Linkage,
     mechanism: &'a Mechanism,
@@ -233,7 +229,9 @@ impl<'a> Compiler<'a> {
             Value::Constant(value) => Ok(Law::Constant(*value)),
             Value::Table { over: Over::Coordinate, table, repeat } => {
                 let period = if *repeat { self.mechanism.input.period() } else { None };
-                Ok(Law::over_coordinate(Curve::of(table), period))
+                let table = Curve::of(table);
+                let breaks = Breaks::new(table.arguments().to_vec(), period);
+                Ok(Law::Coordinate(table, breaks))
             }
             Value::Table { over: Over::Speed, table, .. } => {
                 self.needs_motion(text!("force-over-speed"))?;

@@ -110,13 +110,6 @@ pub struct Construction {
     pub steps: Vec<ConstructionStep>,
 }
 
-impl Construction {
-    /// The step of this short name in English in a drawing.
-    pub fn step(&self, drawing: Drawing, name: &str) -> Option<&ConstructionStep> {
-        self.steps.iter().find(|step| step.drawing == drawing && step.name.to_string() == name)
-    }
-}
-
 /// One load on one link, in the ground's frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Acting {

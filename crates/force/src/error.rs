@@ -195,11 +195,9 @@ impl Describe for ForceError {
                 angle = quantity(format_args!("{angle:.3e}"), "rad"),
                 instead = name(*instead)
             ),
-            Self::Jammed { what, coordinate, proved: true } => {
-                text!("force-jammed", what, coordinate = at(*coordinate))
-            }
-            Self::Jammed { what, coordinate, proved: false } => {
-                text!("force-jammed-unproved", what, coordinate = at(*coordinate))
+            Self::Jammed { what, coordinate, proved } => {
+                let jammed = if *proved { "force-jammed" } else { "force-jammed-unproved" };
+                text!(jammed, what, coordinate = at(*coordinate))
             }
             Self::Unsupported { analyzer, reason } => {
                 text!("force-unsupported", method = name(*analyzer), reason)

@@ -5,10 +5,7 @@ use assur_integrator::{Piece, State, Stretch};
 use assur_number::search::bisect;
 
 use crate::breaks::{Breaks, cut};
-use crate::grid::Span;
-use crate::state::Selection;
-use crate::stroke::Travel;
-use crate::{LoadFault, LoadState};
+use crate::{LoadFault, LoadState, grid::Span, state::Selection, stroke::Travel};
 
 /// The greatest size of a load by formula in SI: that of a force or moment given as a number (docs/ranges.md). Beyond it the
 /// rounding of a force across a guide outweighs all others.
@@ -126,7 +123,7 @@ impl FormulaLaw {
                 }
             }
         }
-        let breaks = Breaks::new(points, span.periodic.then_some(span.length));
+        let breaks = Breaks::new(points, span.period());
         for index in 0..breaks.count() {
             let within = |q: f64| if span.periodic { q } else { q.clamp(span.from, span.from + span.length) };
             let inside = breaks.inside(index, span.ends());

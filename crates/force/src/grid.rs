@@ -4,9 +4,7 @@ use assur_group::plane::{dot, vector};
 use assur_group::{Body, Order};
 use assur_kinematics::{LanePosition, Linkage, Position, PositionError};
 use assur_mechanism::{LinkId, Place};
-use assur_number::elementary;
-use assur_number::search::try_newton_root;
-use assur_number::{Intervals, Lanes};
+use assur_number::{Intervals, Lanes, elementary, search::try_newton_root};
 
 use crate::breaks::Breaks;
 
@@ -40,10 +38,9 @@ impl Span {
     pub(crate) fn for_stroke(self, linkage: &Linkage, at: Place, axis: f64) -> Self {
         let Some(mut enclosures) = linkage.enclosures() else { return self };
         let (axis, point) = (vector([elementary::cos(axis), elementary::sin(axis)]), vector(at.at));
-        let ends = [self.from, self.from + self.length];
         let mut is_simple = |cells: u32| {
             let radius = 0.5 * self.length / f64::from(cells);
-            enclosures.all(ends, cells, Order::Second, |bodies, _| {
+            enclosures.all(self.ends(), cells, Order::Second, |bodies, _| {
                 let body: &Body<Intervals> = &bodies[at.link];
                 let [first, second] = body.motion(body.arm(point)).map(|along| dot(axis, along));
                 (0..Lanes::WIDTH).all(|lane| {
@@ -58,7 +55,6 @@ impl Span {
         Self { cells, ..self }
     }
 
-    /// Its ends.
     pub(crate) fn ends(&self) -> [f64; 2] {
         [self.from, self.from + self.length]
     }
@@ -147,5 +143,5 @@ pub(crate) fn rests(
             rests.push(q);
         }
     }
-    Breaks::new(rests, span.periodic.then_some(span.length))
+    Breaks::new(rests, span.period())
 }

@@ -199,20 +199,16 @@ impl<'a> LaneKinetostatics<'a> {
 impl Reactions<Lanes> {
     /// Puts the reactions of one position into a lane.
     fn put(&mut self, lane: usize, one: &Reactions) {
+        let put = |all: &mut [Lanes], one: &[f64]| {
+            all.iter_mut().zip(one).for_each(|(all, one)| all.0[lane] = *one);
+        };
         self.balancing.0[lane] = one.balancing;
-        self.further.resize(one.further.len(), Lanes([0.0; Lanes::WIDTH]));
-        for (all, one) in self.further.iter_mut().zip(&one.further) {
-            all.0[lane] = *one;
-        }
-        for (all, one) in self.pairs.iter_mut().zip(&one.pairs) {
-            (all.fx.0[lane], all.fy.0[lane], all.m.0[lane]) = (one.fx, one.fy, one.m);
-        }
+        self.further.resize(one.further.len(), Lanes::ZERO);
+        put(&mut self.further, &one.further);
+        self.pairs.iter_mut().zip(&one.pairs).for_each(|(all, one)| all.set_lane(lane, one));
         self.open.resize(one.open.len(), Lanes::ZERO);
-        self.open.iter_mut().zip(&one.open).for_each(|(all, one)| all.0[lane] = *one);
+        put(&mut self.open, &one.open);
         if let (Some(all), Some(one)) = (&mut self.friction, &one.friction) {
-            let put = |all: &mut [Lanes], one: &[f64]| {
-                all.iter_mut().zip(one).for_each(|(all, one)| all.0[lane] = *one);
-            };
             put(&mut all.forces, &one.forces);
             put(&mut all.certificates, &one.certificates);
             all.doubts.extend(one.doubts.iter().map(|(_, doubt)| (lane, doubt.clone())));

@@ -3,17 +3,14 @@
 use assur_formula::{Branches, Used};
 use assur_integrator::Piece;
 
-use crate::LoadState;
 use crate::breaks::{Breaks, cut};
-use crate::curve::Curve;
-use crate::formula::FormulaLaw;
-use crate::state::Selection;
 use crate::stroke::{Segment, Stroke};
+use crate::{LoadState, curve::Curve, formula::FormulaLaw, state::Selection};
 
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Law {
     Constant(f64),
-    /// A table over the coordinate.
+    /// A table over the coordinate; with a period of its breaks it repeats, counted from its first row.
     Coordinate(Curve, Breaks),
     /// A table over the speed.
     Speed(Curve),
@@ -25,7 +22,7 @@ pub(crate) enum Law {
 }
 
 /// Which formula of a law is in use.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct Active {
     /// Segment of the table, and which table.
     pub(crate) piece: Segment,
@@ -36,31 +33,16 @@ pub(crate) struct Active {
 }
 
 impl Active {
-    /// The only formula of a law that has one.
-    pub(crate) fn only() -> Self {
-        Self::segment(0, 0.0)
-    }
-
     fn segment(segment: usize, shift: f64) -> Self {
-        Self::piece(Segment { back: false, segment }, shift)
-    }
-
-    fn piece(piece: Segment, shift: f64) -> Self {
-        Self { piece, shift, sides: Branches::default() }
+        Self { piece: Segment { back: false, segment }, shift, ..Self::default() }
     }
 
     fn branches(sides: Branches) -> Self {
-        Self { sides, ..Self::only() }
+        Self { sides, ..Self::default() }
     }
 }
 
 impl Law {
-    /// A table over the coordinate; `period`: the table repeats with it, counted from its first row.
-    pub(crate) fn over_coordinate(table: Curve, period: Option<f64>) -> Self {
-        let breaks = Breaks::new(table.arguments().to_vec(), period);
-        Self::Coordinate(table, breaks)
-    }
-
     /// Whether a motion meets changes of it on its way, which no bound of one variable describes.
     pub(crate) fn is_met(&self) -> bool {
         matches!(self, Self::Formula(law) if law.met().next().is_some())
@@ -94,7 +76,7 @@ impl Law {
     #[inline(always)]
     pub(crate) fn at(&self, state: &LoadState, side: &Selection, period: Option<f64>) -> Active {
         match self {
-            Self::Constant(_) => Active::only(),
+            Self::Constant(_) => Active::default(),
             Self::Coordinate(table, breaks) => {
                 let ahead = side.coordinate(state, period);
                 let interval = breaks.interval(ahead);
@@ -105,7 +87,8 @@ impl Law {
             Self::Speed(table) => Active::segment(table.segment(side.speed(state)), 0.0),
             Self::Time(table) => Active::segment(table.segment(side.time(state)), 0.0),
             Self::Stroke(stroke) => {
-                Active::piece(stroke.piece(side.coordinate(state, period), side.sense).0, 0.0)
+                let (piece, _) = stroke.piece(side.coordinate(state, period), side.sense);
+                Active { piece, ..Active::default() }
             }
             Self::Formula(law) => Active::branches(law.branches(state, side, period)),
         }

@@ -6,10 +6,7 @@ use assur_integrator::Dependence;
 use assur_mechanism::{GROUND, LinkId, LoadId, Mechanism, Name, Place, Spring, VaryingInertia};
 use assur_words::text;
 
-use crate::Frictions;
-use crate::breaks::Breaks;
-use crate::law::Law;
-use crate::sliding::Sliding;
+use crate::{Frictions, breaks::Breaks, law::Law, sliding::Sliding};
 
 /// The loads of a mechanism, compiled: indices and formulas, no names.
 #[derive(Debug, Clone, PartialEq)]

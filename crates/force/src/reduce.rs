@@ -6,7 +6,7 @@ use assur_integrator::Reduced;
 use assur_number::Real;
 
 use crate::choice::{Choice, Live};
-use crate::loads::{Applied, Loads, Mass};
+use crate::loads::{Applied, Cause, Loads, Mass};
 use crate::visit::{self, Sink, Visit};
 use crate::{LoadNumber, LoadState, Phase};
 
@@ -15,12 +15,12 @@ struct Power<T>(T);
 
 impl<T: LoadNumber> Sink<T> for Power<T> {
     #[inline(always)]
-    fn force(&mut self, _link: usize, body: &Body<T>, arm: [T; 2], force: [T; 2]) {
+    fn force(&mut self, _: Cause, _: usize, body: &Body<T>, arm: [T; 2], force: [T; 2]) {
         self.0 += dot(body.first(arm), force);
     }
 
     #[inline(always)]
-    fn moment(&mut self, _link: usize, body: &Body<T>, moment: T) {
+    fn moment(&mut self, _: Cause, _: usize, body: &Body<T>, moment: T) {
         self.0 += body.w1 * moment;
     }
 }
@@ -84,7 +84,13 @@ impl<T: LoadNumber, C: Choice> Visit<'_, T, C> {
                     inertia += own;
                     half += slope;
                     if loads.has_weights() {
-                        power.force(mass.link, body, mass.arm(body), mass.weight(loads.gravity));
+                        power.force(
+                            Cause::Weight(mass.link),
+                            mass.link,
+                            body,
+                            mass.arm(body),
+                            mass.weight(loads.gravity),
+                        );
                     }
                 }
                 self.each(&mut power);

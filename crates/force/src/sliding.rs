@@ -1,7 +1,6 @@
 //! The sense in which the arc of a contact slides along its line.
 
-use assur_group::Body;
-use assur_group::plane::dot;
+use assur_group::{Body, plane::dot};
 use assur_kinematics::PositionError;
 use assur_number::search::{bisect, try_newton_root};
 use assur_number::{ROUNDING, elementary};

@@ -7,10 +7,7 @@ use assur_mechanism::LawTable;
 use assur_number::search::{bisect, try_newton_root};
 use assur_number::{ROUNDING, elementary};
 
-use crate::LoadFault;
-use crate::breaks::Breaks;
-use crate::curve::Curve;
-use crate::grid::Span;
+use crate::{LoadFault, breaks::Breaks, curve::Curve, grid::Span};
 
 /// Motion of a body at a coordinate, or why there is none.
 pub(crate) type BodyAt<'a> = dyn FnMut(f64) -> Result<Body<f64>, PositionError> + 'a;
@@ -86,7 +83,7 @@ struct Pieces {
 }
 
 /// A segment of one of the two tables.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct Segment {
     /// Whether the point returns, so that the table `back` applies.
     pub(crate) back: bool,

@@ -6,26 +6,22 @@ use assur_group::plane::{dot, minus, opposite, plus, scaled, vector};
 use assur_mechanism::Spring;
 use assur_number::ROUNDING;
 
-use crate::LoadNumber;
 use crate::choice::{Choice, Formulas};
-use crate::law::Law;
 use crate::loads::{Action, Along, ArcContact, Cause, Loads, PointForce, Shoe};
+use crate::{LoadNumber, law::Law};
 
 /// Collects loads. A force acts at `arm` from the origin of the body; everything in the ground's frame.
 pub(crate) trait Sink<T> {
-    /// The cause of the following calls.
-    #[inline(always)]
-    fn cause(&mut self, _cause: Cause) {}
     /// A force, N.
-    fn force(&mut self, link: usize, body: &Body<T>, arm: [T; 2], force: [T; 2]);
+    fn force(&mut self, cause: Cause, link: usize, body: &Body<T>, arm: [T; 2], force: [T; 2]);
     /// A moment, N m.
-    fn moment(&mut self, link: usize, body: &Body<T>, moment: T);
+    fn moment(&mut self, cause: Cause, link: usize, body: &Body<T>, moment: T);
     /// Whether the [size](Self::size) of each load is wanted.
     const SIZES: bool = false;
     /// The size of a load: of a force along its direction (or against the motion), of a moment, of a contact, N or N m; of a
     /// spring its tension.
     #[inline]
-    fn size(&mut self, _size: T) {}
+    fn size(&mut self, _cause: Cause, _size: T) {}
 }
 
 /// The states at which the loads are visited, and which formulas apply there.
@@ -52,13 +48,13 @@ impl<T: LoadNumber, C: Choice> Visit<'_, T, C> {
     #[inline(always)]
     pub(crate) fn each<S: Sink<T>>(&self, sink: &mut S) {
         for (index, load) in self.loads.applied.iter().enumerate() {
-            sink.cause(Cause::Load(load.id));
+            let cause = Cause::Load(load.id);
             match &load.action {
-                Action::Force(force) => self.force(index, force, sink),
-                Action::Moment(link) => self.moment(*link, self.size(index, [T::ZERO; 2]), sink),
-                Action::Brake(shoe) => self.moment(shoe.link, self.brake(index, shoe), sink),
-                Action::Spring(spring) => self.spring(spring, sink),
-                Action::Contact(contact) => self.contact(index, contact, sink),
+                Action::Force(force) => self.force((cause, index), force, sink),
+                Action::Moment(link) => self.moment((cause, *link), self.size(index, [T::ZERO; 2]), sink),
+                Action::Brake(shoe) => self.moment((cause, shoe.link), self.brake(index, shoe), sink),
+                Action::Spring(spring) => self.spring(cause, spring, sink),
+                Action::Contact(contact) => self.contact((cause, index), contact, sink),
             }
         }
     }
@@ -85,18 +81,18 @@ impl<T: LoadNumber, C: Choice> Visit<'_, T, C> {
     fn value(&self, formulas: &C::Formulas, load: usize, lane: usize, point: [T; 2]) -> f64 {
         let state = T::state(self.states, lane);
         let law = &self.loads.applied[load].size;
-        let active = formulas.size(self.loads, load, law, state);
+        let active = formulas.active(self.loads, (load, 0, law), state);
         law.value(active, state, [point[0].lane(lane), point[1].lane(lane)])
     }
 
     #[inline(always)]
-    fn moment<S: Sink<T>>(&self, link: usize, size: T, sink: &mut S) {
-        sink.size(size);
-        sink.moment(link, &self.bodies[link], size);
+    fn moment<S: Sink<T>>(&self, (cause, link): (Cause, usize), size: T, sink: &mut S) {
+        sink.size(cause, size);
+        sink.moment(cause, link, &self.bodies[link], size);
     }
 
     #[inline(always)]
-    fn force<S: Sink<T>>(&self, index: usize, force: &PointForce, sink: &mut S) {
+    fn force<S: Sink<T>>(&self, (cause, index): (Cause, usize), force: &PointForce, sink: &mut S) {
         let body = &self.bodies[force.at.link];
         let arm = body.arm(vector(force.at.at));
         let point = plus([body.x, body.y], arm);
@@ -116,7 +112,7 @@ impl<T: LoadNumber, C: Choice> Visit<'_, T, C> {
                     })
                 };
                 if S::SIZES {
-                    sink.size(of(f64::abs));
+                    sink.size(cause, of(f64::abs));
                 }
                 let order = |lane: usize| self.loads.moving(lengths(lane)).unwrap_or(0);
                 let length = T::of_lanes(|lane| lengths(lane)[order(lane)].max(f64::MIN_POSITIVE));
@@ -125,9 +121,9 @@ impl<T: LoadNumber, C: Choice> Visit<'_, T, C> {
             }
         };
         if S::SIZES && !matches!(force.along, Along::AgainstMotion) {
-            sink.size(self.size(index, point));
+            sink.size(cause, self.size(index, point));
         }
-        sink.force(force.at.link, body, arm, along);
+        sink.force(cause, force.at.link, body, arm, along);
     }
 
     /// The moment of a brake, against the rotation of its link.
@@ -146,7 +142,7 @@ impl<T: LoadNumber, C: Choice> Visit<'_, T, C> {
 
     /// The two forces of a spring with a damper.
     #[inline(always)]
-    fn spring<S: Sink<T>>(&self, spring: &Spring, sink: &mut S) {
+    fn spring<S: Sink<T>>(&self, cause: Cause, spring: &Spring, sink: &mut S) {
         let [one, two] = [&self.bodies[spring.ends[0].link], &self.bodies[spring.ends[1].link]];
         let arms = [one.arm(vector(spring.ends[0].at)), two.arm(vector(spring.ends[1].at))];
         let between = minus(plus([two.x, two.y], arms[1]), plus([one.x, one.y], arms[0]));
@@ -162,9 +158,9 @@ impl<T: LoadNumber, C: Choice> Visit<'_, T, C> {
         let per_length =
             T::of_lanes(|lane| if length.lane(lane) == 0.0 { 0.0 } else { per_length.lane(lane) });
         let pull = scaled(per_length, between);
-        sink.size(tension);
-        sink.force(spring.ends[0].link, one, arms[0], pull);
-        sink.force(spring.ends[1].link, two, arms[1], opposite(pull));
+        sink.size(cause, tension);
+        sink.force(cause, spring.ends[0].link, one, arms[0], pull);
+        sink.force(cause, spring.ends[1].link, two, arms[1], opposite(pull));
     }
 
     /// The angle of a contact, rad.
@@ -174,13 +170,13 @@ impl<T: LoadNumber, C: Choice> Visit<'_, T, C> {
             Law::Constant(angle) => T::from_f64(*angle),
             _ => self.by_lane(|formulas, lane| {
                 let state = T::state(self.states, lane);
-                law.value(formulas.angle(self.loads, index, law, state), state, [0.0; 2])
+                law.value(formulas.active(self.loads, (index, 1, law), state), state, [0.0; 2])
             }),
         }
     }
 
     #[inline(always)]
-    fn contact<S: Sink<T>>(&self, index: usize, contact: &ArcContact, sink: &mut S) {
+    fn contact<S: Sink<T>>(&self, (cause, index): (Cause, usize), contact: &ArcContact, sink: &mut S) {
         let touches = |formulas: &C::Formulas, lane: usize| {
             formulas.touches(self.loads, index, contact, T::state(self.states, lane))
         };
@@ -204,8 +200,8 @@ impl<T: LoadNumber, C: Choice> Visit<'_, T, C> {
             }),
         };
         let along = [s + friction * c, c - friction * s];
-        sink.size(size);
-        sink.force(contact.center.link, body, arm, scaled(size, along));
+        sink.size(cause, size);
+        sink.force(cause, contact.center.link, body, arm, scaled(size, along));
     }
 }
 

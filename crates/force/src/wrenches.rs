@@ -14,40 +14,44 @@ struct Sum<'a, T>(&'a mut [Wrench<T>]);
 
 impl<T: LoadNumber> Sink<T> for Sum<'_, T> {
     #[inline(always)]
-    fn force(&mut self, link: usize, _body: &Body<T>, arm: [T; 2], force: [T; 2]) {
+    fn force(&mut self, _: Cause, link: usize, _: &Body<T>, arm: [T; 2], force: [T; 2]) {
         self.0[link].add_at(arm, force, T::ZERO);
     }
 
     #[inline(always)]
-    fn moment(&mut self, link: usize, _body: &Body<T>, moment: T) {
+    fn moment(&mut self, _: Cause, link: usize, _: &Body<T>, moment: T) {
         self.0[link].m += moment;
     }
 }
 
 /// Passes on each load with its cause and the arm of its force.
-struct Each<'a, T> {
-    cause: Option<Cause>,
-    hand_on: &'a mut dyn FnMut(Cause, usize, Wrench<T>, Option<[T; 2]>),
-}
+struct Each<'a, T>(&'a mut dyn FnMut(Cause, usize, Wrench<T>, Option<[T; 2]>));
 
 impl<T: LoadNumber> Sink<T> for Each<'_, T> {
-    fn cause(&mut self, cause: Cause) {
-        self.cause = Some(cause);
-    }
-
-    fn force(&mut self, link: usize, _body: &Body<T>, arm: [T; 2], force: [T; 2]) {
+    fn force(&mut self, cause: Cause, link: usize, _: &Body<T>, arm: [T; 2], force: [T; 2]) {
         let mut wrench = Wrench::ZERO;
         wrench.add_at(arm, force, T::ZERO);
-        if let Some(cause) = self.cause {
-            (self.hand_on)(cause, link, wrench, Some(arm));
-        }
+        (self.0)(cause, link, wrench, Some(arm));
     }
 
-    fn moment(&mut self, link: usize, _body: &Body<T>, moment: T) {
-        if let Some(cause) = self.cause {
-            (self.hand_on)(cause, link, Wrench { m: moment, ..Wrench::ZERO }, None);
-        }
+    fn moment(&mut self, cause: Cause, link: usize, _: &Body<T>, moment: T) {
+        (self.0)(cause, link, Wrench { m: moment, ..Wrench::ZERO }, None);
     }
+}
+
+/// Passes on the size of each load.
+struct Sizes<'a, T>(&'a mut dyn FnMut(Cause, T));
+
+impl<T: LoadNumber> Sink<T> for Sizes<'_, T> {
+    const SIZES: bool = true;
+
+    fn size(&mut self, cause: Cause, size: T) {
+        (self.0)(cause, size);
+    }
+
+    fn force(&mut self, _: Cause, _: usize, _: &Body<T>, _: [T; 2], _: [T; 2]) {}
+
+    fn moment(&mut self, _: Cause, _: usize, _: &Body<T>, _: T) {}
 }
 
 /// Speed and acceleration of the input.
@@ -74,30 +78,6 @@ impl<T: LoadNumber> Rates<T> {
     fn second(&self, first: T, second: T) -> T {
         second * self.square + first * self.acceleration
     }
-}
-
-/// Passes on the size of each load.
-struct Sizes<'a, T> {
-    cause: Option<Cause>,
-    hand_on: &'a mut dyn FnMut(Cause, T),
-}
-
-impl<T: LoadNumber> Sink<T> for Sizes<'_, T> {
-    const SIZES: bool = true;
-
-    fn cause(&mut self, cause: Cause) {
-        self.cause = Some(cause);
-    }
-
-    fn size(&mut self, size: T) {
-        if let Some(cause) = self.cause {
-            (self.hand_on)(cause, size);
-        }
-    }
-
-    fn force(&mut self, _: usize, _: &Body<T>, _: [T; 2], _: [T; 2]) {}
-
-    fn moment(&mut self, _: usize, _: &Body<T>, _: T) {}
 }
 
 impl<T: LoadNumber, C: Choice> Visit<'_, T, C> {
@@ -173,12 +153,12 @@ impl Loads {
         bodies: &[Body<T>],
         hand_on: &mut dyn FnMut(Cause, usize, Wrench<T>, Option<[T; 2]>),
     ) {
-        let mut each = Each { cause: None, hand_on: &mut *hand_on };
+        let mut each = Each(&mut *hand_on);
         if self.has_weights() {
             for mass in self.masses.iter().filter(|mass| mass.m > 0.0) {
-                let body = &bodies[mass.link];
-                each.cause(Cause::Weight(mass.link));
-                each.force(mass.link, body, body.arm(vector(mass.center)), mass.weight(self.gravity));
+                let (link, body) = (mass.link, &bodies[mass.link]);
+                let (arm, weight) = (body.arm(vector(mass.center)), mass.weight(self.gravity));
+                each.force(Cause::Weight(link), link, body, arm, weight);
             }
         }
         Visit { loads: self, choice: &Live, states, bodies }.each(&mut each);
@@ -218,8 +198,7 @@ impl Loads {
         bodies: &[Body<T>],
         mut hand_on: impl FnMut(Cause, T),
     ) {
-        let mut sizes = Sizes { cause: None, hand_on: &mut hand_on };
-        Visit { loads: self, choice: &Live, states, bodies }.each(&mut sizes);
+        Visit { loads: self, choice: &Live, states, bodies }.each(&mut Sizes(&mut hand_on));
     }
 
     /// Adds the inertia loads -m a, -I e of the links alone to wrenches about the origins of their frames; of a moment of inertia

@@ -4,13 +4,11 @@ use std::ops::Range;
 
 use assur_number::search::bisect;
 
-use crate::branches::Branches;
 use crate::formula::{Formula, OF_MOTION};
-use crate::interval::Interval;
-use crate::number::Sign;
+use crate::number::{Number, Sign};
 use crate::program::{Variable, Variables};
-use crate::rounded::Rounded;
 use crate::slope::{Dual, Signed};
+use crate::{branches::Branches, interval::Interval, rounded::Rounded};
 
 /// Steps of the search: more only where intervals overestimate much; the branch is then said to end early, which costs
 /// another search and changes no value.
@@ -208,7 +206,10 @@ impl Formula {
             }
             looked += 1;
             let ends_in_themselves = middle <= low.min(high) || middle >= low.max(high);
-            let bounds = self.between([low, high]);
+            let bounds = self.number(Branches::default(), |name| match name {
+                Variable::Coordinate => Interval::between(low, high),
+                Variable::Speed | Variable::Time | Variable::Place => Interval::of(0.0),
+            });
             let proven = bounds.low > 0.0 && bounds.high <= most;
             if proven || ends_in_themselves || looked > MOST_PARTS {
                 continue;
@@ -216,14 +217,5 @@ impl Formula {
             parts.extend([[middle, high], [low, middle]]);
         }
         None
-    }
-
-    /// Bounds of the formula over a range of the coordinate.
-    fn between(&self, [low, high]: [f64; 2]) -> Interval {
-        let coordinate = Interval::between(low, high);
-        self.number(Branches::default(), |name| match name {
-            Variable::Coordinate => coordinate,
-            Variable::Speed | Variable::Time | Variable::Place => Interval::between(0.0, 0.0),
-        })
     }
 }

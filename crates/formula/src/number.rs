@@ -1,7 +1,6 @@
 //! What a formula is evaluated with: numbers, or intervals of them.
 
-use std::cmp::Ordering;
-use std::f64::consts::TAU;
+use std::{cmp::Ordering, f64::consts::TAU};
 
 use assur_number::{Real, elementary};
 

@@ -54,7 +54,6 @@ pub(crate) enum Kind {
 }
 
 impl Kind {
-    /// Number of arguments.
     pub(crate) fn arguments(self) -> usize {
         if matches!(self, Self::Min | Self::Max | Self::Angle) { 2 } else { 1 }
     }
@@ -82,7 +81,6 @@ pub(crate) enum Operation {
 }
 
 impl Operation {
-    /// Number of operands.
     pub(crate) fn operands(self) -> usize {
         match self {
             Self::Number(_) | Self::Variable(_) => 0,

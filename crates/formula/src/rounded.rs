@@ -35,12 +35,6 @@ impl Rounded {
         Self { value, error: NEAR * value.abs().max(1.0) }
     }
 
-    /// The sign, where the error leaves one; zero is certain without an error only.
-    pub(crate) fn sign(self) -> Option<Sign> {
-        let Self { value, error } = self;
-        if value.abs() > error || (value == 0.0 && error == 0.0) { Sign::of(value) } else { None }
-    }
-
     /// A result with the error that it has from its arguments, and its own.
     fn result(value: f64, inherited: f64) -> Self {
         let error = inherited + UNIT * value.abs();
@@ -88,8 +82,10 @@ impl Rounded {
 }
 
 impl Signed for Rounded {
+    /// Where the error leaves one; zero is certain without an error only.
     fn sign(self) -> Option<Sign> {
-        Self::sign(self)
+        let Self { value, error } = self;
+        if value.abs() > error || (value == 0.0 && error == 0.0) { Sign::of(value) } else { None }
     }
 }
 

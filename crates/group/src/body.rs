@@ -217,6 +217,22 @@ pub struct Forces<'a, T> {
     pub reactions: &'a mut [Wrench<T>],
 }
 
+impl<'a, T> Forces<'a, T> {
+    /// Each of several sets of loads with its reactions, which stand one after the other.
+    #[inline(always)]
+    pub fn sets(
+        loads: &'a mut [Wrench<T>],
+        reactions: &'a mut [Wrench<T>],
+        sets: usize,
+    ) -> impl Iterator<Item = Self> {
+        // A division takes about as long as the reactions of a small group: one set goes without.
+        let part = |all: usize| if sets > 1 { all / sets } else { all }.max(1);
+        let (loaded, pairs) = (part(loads.len()), part(reactions.len()));
+        let each = loads.chunks_mut(loaded).zip(reactions.chunks_mut(pairs));
+        each.map(|(loads, reactions)| Self { loads, reactions })
+    }
+}
+
 /// A point of a link whose motion is known first: the motion of the link follows from it and from the link's direction.
 ///
 /// Most links have their origin there, which saves the arm.

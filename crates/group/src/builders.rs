@@ -146,18 +146,19 @@ impl AssurGroup<Lanes> for OneByOne {
         Lanes::of(|lane| self.0.resolution(&of_lane(bodies, lane))).greatest()
     }
 
-    fn reactions(
+    fn reactions_under(
         &self,
         bodies: &[Body<Lanes>],
         loads: &mut [Wrench<Lanes>],
         reactions: &mut [Wrench<Lanes>],
+        sets: usize,
     ) -> Result<(), GroupError> {
         for lane in 0..Lanes::WIDTH {
             let of_lane = of_lane(bodies, lane);
             let mut own: [Vec<_>; 2] =
                 [&*loads, &*reactions].map(|all| all.iter().map(|wrench| wrench.lane(lane)).collect());
             let [own_loads, own_reactions] = &mut own;
-            self.0.reactions(&of_lane, own_loads, own_reactions)?;
+            self.0.reactions_under(&of_lane, own_loads, own_reactions, sets)?;
             for (all, own) in [(&mut *loads, own_loads), (&mut *reactions, own_reactions)] {
                 all.iter_mut().zip(own).for_each(|(all, own)| all.set_lane(lane, own));
             }

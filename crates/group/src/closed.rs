@@ -66,9 +66,7 @@ impl<K> Closed<K> {
     {
         Ok(Self { form: K::new(frame)?, frame: frame.clone() })
     }
-}
 
-impl<K> Closed<K> {
     /// PF1 and PF2 where they are determined.
     #[inline(always)]
     fn differentiate<T: Real>(
@@ -143,22 +141,6 @@ impl<T: Real, K: ClosedForm<T>> AssurGroup<T> for Closed<K> {
         self.form.resolution(bodies)
     }
 
-    fn reactions(
-        &self,
-        bodies: &[Body<T>],
-        loads: &mut [Wrench<T>],
-        reactions: &mut [Wrench<T>],
-    ) -> Result<(), GroupError> {
-        T::evaluate(
-            #[inline(always)]
-            move || {
-                let position = self.form.read(bodies);
-                self.form.determined(&position)?;
-                GroupError::if_nan(self.form.balance(bodies, &position, &mut Forces { loads, reactions }))
-            },
-        )
-    }
-
     fn reactions_under(
         &self,
         bodies: &[Body<T>],
@@ -166,17 +148,13 @@ impl<T: Real, K: ClosedForm<T>> AssurGroup<T> for Closed<K> {
         reactions: &mut [Wrench<T>],
         sets: usize,
     ) -> Result<(), GroupError> {
-        let [loaded, pairs] = [loads.len(), reactions.len()].map(|all| (all / sets.max(1)).max(1));
         T::evaluate(
             #[inline(always)]
             move || {
                 let position = self.form.read(bodies);
                 self.form.determined(&position)?;
-                for (loads, reactions) in
-                    loads.chunks_exact_mut(loaded).zip(reactions.chunks_exact_mut(pairs))
-                {
-                    let forces = &mut Forces { loads, reactions };
-                    GroupError::if_nan(self.form.balance(bodies, &position, forces))?;
+                for mut forces in Forces::sets(loads, reactions, sets) {
+                    GroupError::if_nan(self.form.balance(bodies, &position, &mut forces))?;
                 }
                 Ok(())
             },

@@ -7,9 +7,8 @@
 
 use assur_number::Real;
 
-use crate::plane::minus;
 use crate::solver::{Solver, arms, rows};
-use crate::{Body, GroupError, GroupFrame, Order, Pair, Wrench};
+use crate::{Body, Forces, GroupError, GroupFrame, Order, Pair, Wrench, plane::minus};
 
 /// Calls a function with the solver for the number of links as its first type.
 macro_rules! sized {
@@ -38,8 +37,8 @@ pub(crate) fn unfit(frame: &GroupFrame) -> GroupError {
     GroupError::Unfit { links: frame.links.len(), pairs: frame.pairs().count() }
 }
 
-/// Right-hand sides: the motion of the outer bodies and, for the second order, the quadratic terms.
-fn right_side<T: Real>(frame: &GroupFrame, bodies: &[Body<T>], second: bool, right: &mut [T]) {
+/// Right-hand sides: the motion of the outer bodies and, for the second order, minus the quadratic terms.
+pub(crate) fn right_side<T: Real>(frame: &GroupFrame, bodies: &[Body<T>], second: bool, right: &mut [T]) {
     let mut row = 0;
     for pair in frame.pairs() {
         let (on_a, on_b) = arms(pair, bodies);
@@ -51,11 +50,6 @@ fn right_side<T: Real>(frame: &GroupFrame, bodies: &[Body<T>], second: bool, rig
             row += 1;
         }
     }
-}
-
-/// Minus the quadratic terms of the second derivatives, of links that move with their PF1 alone.
-pub(crate) fn quadratic<T: Real>(frame: &GroupFrame, bodies: &[Body<T>], right: &mut [T]) {
-    right_side(frame, bodies, true, right);
 }
 
 /// Projection on n of the known motion of b minus that of a, at the point of a pair.
@@ -131,31 +125,22 @@ pub(crate) fn derive_by<T: Real, S: Solver<T>>(
 ) -> Result<(), GroupError> {
     lu.determined()?;
     let scale = T::from_f64(frame.scale);
-    // Both orders use the same J, which is factored once.
     let mut right = S::zeros(frame);
-    right_side(frame, bodies, false, right.as_mut());
-    let first = lu.solve(&right);
-    let first = first.as_ref();
-    for (i, &link) in frame.links.iter().enumerate() {
-        let body = &mut bodies[link];
-        (body.x1, body.y1, body.w1) = (first[3 * i] * scale, first[3 * i + 1] * scale, first[3 * i + 2]);
+    // Both orders use the same J, which is factored once.
+    for second in [false, true].into_iter().take(if order < Order::Second { 1 } else { 2 }) {
+        right_side(frame, bodies, second, right.as_mut());
+        let found = lu.solve(&right);
+        for (rates, &link) in found.as_ref().chunks_exact(3).zip(&frame.links) {
+            let (x, y, w, body) = (rates[0] * scale, rates[1] * scale, rates[2], &mut bodies[link]);
+            if second {
+                (body.x2, body.y2, body.w2) = (x, y, w);
+            } else {
+                (body.x1, body.y1, body.w1) = (x, y, w);
+            }
+        }
+        GroupError::if_nan(found.as_ref().iter().fold(T::ZERO, |sum, &entry| sum + entry))?;
     }
-    if order < Order::Second {
-        return finite(first);
-    }
-    right_side(frame, bodies, true, right.as_mut());
-    let second = lu.solve(&right);
-    let second = second.as_ref();
-    for (i, &link) in frame.links.iter().enumerate() {
-        let body = &mut bodies[link];
-        (body.x2, body.y2, body.w2) = (second[3 * i] * scale, second[3 * i + 1] * scale, second[3 * i + 2]);
-    }
-    finite(second)
-}
-
-/// Returns an error for a solution with an entry that is NaN.
-fn finite<T: Real>(solution: &[T]) -> Result<(), GroupError> {
-    GroupError::if_nan(solution.iter().fold(T::ZERO, |sum, &entry| sum + entry))
+    Ok(())
 }
 
 /// Dimensionless determinant of any placed group: smallest over greatest pivot of its J; 0 if the general solution
@@ -167,23 +152,14 @@ pub fn health_generally<T: Real>(frame: &GroupFrame, bodies: &[Body<T>]) -> f64 
     sized!(frame, sized(frame, bodies), 0.0)
 }
 
-/// Computes the reactions in the pairs of any group from the equilibrium of each link, with the transpose of J.
+/// Computes the reactions in the pairs of any group from the equilibrium of each link, with the transpose of J, under several sets
+/// of loads, set after set: the matrix is factored once.
 ///
 /// # Errors
 ///
 /// [`GroupError::Singular`] where the equations of equilibrium cannot be solved, [`GroupError::Unfit`] for a wrong count of
 /// pairs.
 pub fn reactions_generally<T: Real>(
-    frame: &GroupFrame,
-    bodies: &[Body<T>],
-    loads: &mut [Wrench<T>],
-    reactions: &mut [Wrench<T>],
-) -> Result<(), GroupError> {
-    reactions_under_generally(frame, bodies, loads, reactions, 1)
-}
-
-/// As [`reactions_generally`] under several sets of loads, set after set: the matrix is factored once.
-pub(crate) fn reactions_under_generally<T: Real>(
     frame: &GroupFrame,
     bodies: &[Body<T>],
     loads: &mut [Wrench<T>],
@@ -202,8 +178,7 @@ fn reactions_sized<T: Real, S: Solver<T>>(
 ) -> Result<(), GroupError> {
     let lu = S::factor(frame, bodies, true);
     lu.determined()?;
-    let [loaded, pairs] = [loads.len(), reactions.len()].map(|all| (all / sets.max(1)).max(1));
-    for (loads, reactions) in loads.chunks_exact_mut(loaded).zip(reactions.chunks_exact_mut(pairs)) {
+    for Forces { loads, reactions } in Forces::sets(loads, reactions, sets) {
         balance(frame, bodies, &lu, loads, reactions);
     }
     Ok(())
@@ -217,7 +192,7 @@ fn balance<T: Real, S: Solver<T>>(
     reactions: &mut [Wrench<T>],
 ) {
     let scale = T::from_f64(frame.scale);
-    let inverse_scale = T::ONE / T::from_f64(frame.scale);
+    let inverse_scale = T::ONE / scale;
     let mut right = S::zeros(frame);
     for (part, &link) in right.as_mut().chunks_exact_mut(3).zip(&frame.links) {
         let load = &loads[link];
@@ -232,23 +207,13 @@ fn balance<T: Real, S: Solver<T>>(
             _ => Wrench { fx: one, fy: two, m: T::ZERO },
         };
         reactions[pair.id] = reaction;
-        push_outer(frame, bodies, pair, &reaction, loads);
-    }
-}
-
-/// Adds the reaction of an outer pair to the load of the body outside the group.
-fn push_outer<T: Real>(
-    frame: &GroupFrame,
-    bodies: &[Body<T>],
-    pair: &Pair,
-    reaction: &Wrench<T>,
-    loads: &mut [Wrench<T>],
-) {
-    let (on_a, on_b) = arms(pair, bodies);
-    if frame.column(pair.b).is_none() {
-        loads[pair.b].add_at(on_b, [-reaction.fx, -reaction.fy], -reaction.m);
-    }
-    if frame.column(pair.a).is_none() {
-        loads[pair.a].add_at(on_a, reaction.force(), reaction.m);
+        // An outer pair loads the body outside the group.
+        let (on_a, on_b) = arms(pair, bodies);
+        if frame.column(pair.b).is_none() {
+            loads[pair.b].add_at(on_b, [-reaction.fx, -reaction.fy], -reaction.m);
+        }
+        if frame.column(pair.a).is_none() {
+            loads[pair.a].add_at(on_a, reaction.force(), reaction.m);
+        }
     }
 }

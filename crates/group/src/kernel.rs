@@ -109,11 +109,11 @@ pub trait AssurGroup<T: Real = f64>: std::fmt::Debug + Send + Sync {
         loads: &mut [Wrench<T>],
         reactions: &mut [Wrench<T>],
     ) -> Result<(), GroupError> {
-        reactions_generally(self.frame(), bodies, loads, reactions)
+        self.reactions_under(bodies, loads, reactions, 1)
     }
 
     /// Computes the reactions under several sets of loads: `loads` and `reactions` hold, set after set, what
-    /// [`reactions`](Self::reactions) takes. Closed forms share what does not depend on loads.
+    /// [`reactions`](Self::reactions) takes, which asks for those under one. What does not depend on loads is shared.
     fn reactions_under(
         &self,
         bodies: &[Body<T>],
@@ -121,8 +121,6 @@ pub trait AssurGroup<T: Real = f64>: std::fmt::Debug + Send + Sync {
         reactions: &mut [Wrench<T>],
         sets: usize,
     ) -> Result<(), GroupError> {
-        let [loaded, pairs] = [loads.len(), reactions.len()].map(|all| (all / sets.max(1)).max(1));
-        let mut each = loads.chunks_exact_mut(loaded).zip(reactions.chunks_exact_mut(pairs));
-        each.try_for_each(|(loads, reactions)| self.reactions(bodies, loads, reactions))
+        reactions_generally(self.frame(), bodies, loads, reactions, sets)
     }
 }

@@ -39,7 +39,7 @@ pub use kernel::{AssurGroup, Mode};
 pub use newton::{Iterated, certify_generally, place_by_newton};
 pub use pair::{GroupFrame, Pair, PairGeometry};
 pub use pattern::{PairSort, Pattern, Reading, SeenPair};
-pub use registry::{Assemblies, ForceAngle, GroupPlugin, groups, kernel_of, plugin_for};
+pub use registry::{Assemblies, ForceAngle, GroupPlugin, groups, plugin_for};
 pub use solver::constraints;
 
 pub use inventory;

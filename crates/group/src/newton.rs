@@ -3,15 +3,13 @@
 //! A mode keeps the sign of its determinant until it meets another one, whose sign is the opposite. So a pose near the
 //! wanted one and this sign determine a mode, also close to the place where two of them meet.
 
-use assur_number::elimination::Factored;
-use assur_number::{Real, elementary};
+use assur_number::{Real, elimination::Factored};
 
-use crate::general::{derive_by, quadratic, reactions_under_generally, sized, unfit};
-use crate::plane::{direction, minus, times, vector};
+use crate::general::{derive_by, right_side, sized, unfit};
+use crate::plane::{direction, length, minus, times, vector};
 use crate::solver::{Solver, entries, guide};
 use crate::{
     AssurGroup, Body, BuildError, GroupError, GroupFrame, GroupKind, Number, Order, Pair, PairGeometry,
-    Wrench,
 };
 
 /// Kernel of any kind without closed forms: places by Newton's method, derivatives and reactions by the general solution.
@@ -38,16 +36,6 @@ impl<T: Real> AssurGroup<T> for Iterated {
     fn solve(&self, bodies: &mut [Body<T>], way: usize, order: Order) -> Result<T, GroupError> {
         let frame = &self.0;
         sized!(frame, solve_signed(frame, bodies, way == 0, order), Err(unfit(frame)))
-    }
-
-    fn reactions_under(
-        &self,
-        bodies: &[Body<T>],
-        loads: &mut [Wrench<T>],
-        reactions: &mut [Wrench<T>],
-        sets: usize,
-    ) -> Result<(), GroupError> {
-        reactions_under_generally(&self.0, bodies, loads, reactions, sets)
     }
 }
 
@@ -95,30 +83,19 @@ fn solve_signed<T: Real, S: Solver<T>>(
     is_positive: bool,
     order: Order,
 ) -> Result<T, GroupError> {
-    let found: S = place_signed(frame, bodies, is_positive)?;
+    let mut found: S = newton_sized(frame, bodies)?;
+    let Factored { health, is_positive: is_found_positive } = found.factored();
+    if is_found_positive != is_positive && health >= (256.0 * T::EPSILON).sqrt() {
+        to_partner(frame, bodies, &found);
+        found = newton_sized(frame, bodies)?;
+        if found.factored().is_positive != is_positive {
+            return Err(GroupError::NoAssembly { gap_m: 0.0 });
+        }
+    }
     if order > Order::Place {
         derive_by(&found, frame, bodies, order)?;
     }
     Ok(T::from_f64(found.factored().health))
-}
-
-/// Places a group in the mode near the poses on entry whose determinant has the sign asked for; its factored J.
-fn place_signed<T: Real, S: Solver<T>>(
-    frame: &GroupFrame,
-    bodies: &mut [Body<T>],
-    is_positive: bool,
-) -> Result<S, GroupError> {
-    let found = newton_sized::<T, S>(frame, bodies)?;
-    let Factored { health, is_positive: is_found_positive } = found.factored();
-    if is_found_positive == is_positive || health < (256.0 * T::EPSILON).sqrt() {
-        return Ok(found);
-    }
-    to_partner(frame, bodies, &found);
-    let other = newton_sized::<T, S>(frame, bodies)?;
-    if other.factored().is_positive == is_positive {
-        return Ok(other);
-    }
-    Err(GroupError::NoAssembly { gap_m: 0.0 })
 }
 
 /// Moves the links of a placed group to about where the mode is that would meet this one: along the motion v that the
@@ -143,7 +120,7 @@ fn to_partner<T: Real, S: Solver<T>>(frame: &GroupFrame, bodies: &mut [Body<T>],
     });
     let mut bend = S::zeros(frame);
     // The right-hand side of the second order is minus the quadratic terms.
-    quadratic(frame, &moved, bend.as_mut());
+    right_side(frame, &moved, true, bend.as_mut());
     let curved = bend.as_ref().iter().zip(w.as_ref()).fold(T::ZERO, |sum, (bend, w)| sum + *bend * *w);
     let t = linear.twice() / curved;
     let most = v.as_ref().chunks_exact(3).map(|part| part[2].abs().to_f64()).fold(0.0, f64::max);
@@ -187,7 +164,10 @@ fn residual<T: Real>(frame: &GroupFrame, bodies: &[Body<T>], phi: &mut [T]) -> f
                 let gap = minus(a.point(vector(point)), b.point(vector(through)));
                 let wanted = times([c, s], direction(tilt));
                 let (sine, cosine) = (wanted[0] * a.s - wanted[1] * a.c, wanted[0] * a.c + wanted[1] * a.s);
-                [(c * gap[1] - s * gap[0]) * inverse_scale, turn_of(sine, cosine)]
+                // The sine of an angle where that is small; turned round by more than a right angle it is not satisfied.
+                let whole = T::from_f64(if sine.to_f64() < 0.0 { -2.0 } else { 2.0 });
+                let turn = if cosine.at_least(0.0) { sine } else { whole - sine };
+                [(c * gap[1] - s * gap[0]) * inverse_scale, turn]
             }
         };
         phi[2 * k..2 * k + 2].copy_from_slice(&both);
@@ -197,15 +177,6 @@ fn residual<T: Real>(frame: &GroupFrame, bodies: &[Body<T>], phi: &mut [T]) -> f
         }
     }
     most
-}
-
-/// The violation of an angle: its sine where that is small; turned round by more than a right angle it is not satisfied.
-fn turn_of<T: Real>(sine: T, cosine: T) -> T {
-    if cosine.at_least(0.0) {
-        return sine;
-    }
-    let whole = if sine.to_f64() < 0.0 { -1.0 } else { 1.0 };
-    T::from_f64(2.0 * whole) - sine
 }
 
 fn newton_sized<T: Real, S: Solver<T>>(frame: &GroupFrame, bodies: &mut [Body<T>]) -> Result<S, GroupError> {
@@ -242,18 +213,15 @@ fn newton_sized<T: Real, S: Solver<T>>(frame: &GroupFrame, bodies: &mut [Body<T>
 fn take<T: Real>(frame: &GroupFrame, bodies: &mut [Body<T>], step: &[T], part: T) {
     let scale = part * T::from_f64(frame.scale);
     for (own, &link) in step.chunks_exact(3).zip(&frame.links) {
-        nudge(&mut bodies[link], [own[0] * scale, own[1] * scale, own[2] * part]);
+        let body = &mut bodies[link];
+        body.x -= own[0] * scale;
+        body.y -= own[1] * scale;
+        let (s, c) = (-(own[2] * part)).sin_cos();
+        // The direction remains a unit vector.
+        let [x, y] = body.turned([c, s]);
+        let length = (x * x + y * y).sqrt();
+        (body.c, body.s) = (x / length, y / length);
     }
-}
-
-/// Subtracts a Newton step from the pose of a body; its direction remains a unit vector.
-fn nudge<T: Real>(body: &mut Body<T>, step: [T; 3]) {
-    body.x -= step[0];
-    body.y -= step[1];
-    let (s, c) = (-step[2]).sin_cos();
-    let [x, y] = body.turned([c, s]);
-    let length = (x * x + y * y).sqrt();
-    (body.c, body.s) = (x / length, y / length);
 }
 
 /// Rounding of a constraint, in units of the last place.
@@ -285,7 +253,7 @@ pub fn certify_generally<T: Real>(frame: &GroupFrame, bodies: &[Body<T>]) -> Opt
 
 /// Lipschitz constant of the two rows of a pair in J, in the greatest norm.
 fn bend<T: Real>(pair: &Pair, scale: f64, bodies: &[Body<T>]) -> f64 {
-    let far = |a: [f64; 2]| elementary::hypot(a[0], a[1]) / scale;
+    let far = |a: [f64; 2]| length(a) / scale;
     match pair.geometry {
         PairGeometry::Pin { at_a, at_b } => far(at_a) + far(at_b),
         PairGeometry::Slide { point, .. } => {

@@ -1,6 +1,6 @@
 //! Vectors of the plane, generic over the number type, with complex products for rotations.
 
-use assur_number::Real;
+use assur_number::{Real, elementary};
 
 /// A vector of constants in another number type.
 #[inline(always)]
@@ -29,6 +29,11 @@ pub fn plus<T: Real>(a: [T; 2], b: [T; 2]) -> [T; 2] {
 #[inline(always)]
 pub fn minus<T: Real>(a: [T; 2], b: [T; 2]) -> [T; 2] {
     [a[0] - b[0], a[1] - b[1]]
+}
+
+/// The length of a vector, rounded.
+pub fn length<T: Real>(a: [T; 2]) -> f64 {
+    elementary::hypot(a[0].to_f64(), a[1].to_f64())
 }
 
 /// -a.
@@ -66,6 +71,13 @@ pub fn perp<T: Real>(a: [T; 2]) -> [T; 2] {
 #[inline(always)]
 pub fn times<T: Real>(a: [T; 2], b: [T; 2]) -> [T; 2] {
     [a[0] * b[0] - a[1] * b[1], a[0] * b[1] + a[1] * b[0]]
+}
+
+/// The vector with given scalar products with two others.
+#[inline(always)]
+pub fn meet<T: Real>(n: [[T; 2]; 2], [a, b]: [T; 2]) -> [T; 2] {
+    let inverse = T::ONE / cross(n[0], n[1]);
+    [(a * n[1][1] - b * n[0][1]) * inverse, (b * n[0][0] - a * n[1][0]) * inverse]
 }
 
 /// Complex conjugate: the opposite rotation.

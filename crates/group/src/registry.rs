@@ -1,15 +1,12 @@
 //! The registry of the kinds of groups.
 
-use std::cmp::Ordering;
-use std::f64::consts::FRAC_PI_2;
-use std::sync::OnceLock;
+use std::{cmp::Ordering, f64::consts::FRAC_PI_2, sync::OnceLock};
 
 use assur_number::elementary;
 use assur_plugin::{Registered, RegistryError};
 use assur_words::{Text, text};
 
-use crate::builders::{Builders, Number};
-use crate::{AssurGroup, Body, BuildError, GroupFrame, Pattern};
+use crate::{Body, Builders, GroupFrame, Pattern};
 
 /// The assemblies of a kind: the ways in which its links can be put together.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -109,6 +106,42 @@ pub struct GroupPlugin {
 
 assur_plugin::registry!(GroupPlugin, text!("group-sort"), name);
 
+/// Registers a dyad with closed forms, which are generic over the number: `text` is the identity of its texts, and `force_angle` makes the
+/// angle of words.
+#[macro_export]
+macro_rules! dyad {
+    ($form:ident {
+        name: $name:literal, kind: $kind:literal, number: $number:literal, pattern: $pattern:expr,
+        ways: $ways:literal, text: $text:literal, force_angle: $angle:expr $(,)?
+    }) => {
+        impl $crate::ClosedKind for $form<f64> {
+            type Form<T: $crate::Number> = $form<T>;
+        }
+
+        $crate::inventory::submit! {
+            $crate::GroupPlugin {
+                name: $name,
+                kind: $kind,
+                number: $number,
+                crate_name: env!("CARGO_PKG_NAME"),
+                summary: ::assur_words::text!($text),
+                pattern: Some($pattern),
+                rank: 10,
+                ways: $crate::Assemblies {
+                    most: $ways,
+                    varies: false,
+                    words: ::assur_words::text!(concat!($text, ".ways")),
+                },
+                iterates: false,
+                singular: ::assur_words::text!(concat!($text, ".singular")),
+                force_angle: $angle(::assur_words::text!(concat!($text, ".angle"))),
+                source: ::assur_words::text!(concat!($text, ".source")),
+                builders: $crate::Builders::in_lanes::<$form<f64>>(),
+            }
+        }
+    };
+}
+
 /// All registered kinds, sorted by name. They are collected once.
 pub fn groups() -> Result<Vec<&'static GroupPlugin>, RegistryError> {
     registered().map(<[_]>::to_vec)
@@ -152,12 +185,4 @@ pub fn plugin_for(frame: &GroupFrame) -> Result<Option<&'static GroupPlugin>, Re
         }
         _ => Ok(best),
     }
-}
-
-/// The kernel of a group in one number type.
-pub fn kernel_of<T: Number>(
-    plugin: &GroupPlugin,
-    frame: &GroupFrame,
-) -> Result<Box<dyn AssurGroup<T>>, BuildError> {
-    T::build(&plugin.builders, frame)
 }

@@ -54,7 +54,7 @@ fn general_reactions_of_two_force_members() {
     let (frame, bodies) = triangle();
     let (mut loads, mut reactions) = ([Wrench::ZERO; 3], [Wrench::ZERO; 3]);
     loads[2].add_at(bodies[2].arm([4.0, 0.0]), [0.0, -12.0], 0.0);
-    reactions_generally(&frame, &bodies, &mut loads, &mut reactions).unwrap();
+    reactions_generally(&frame, &bodies, &mut loads, &mut reactions, 1).unwrap();
     assert!(close(reactions[0].fx, 5.76) && close(reactions[0].fy, 7.68));
     assert!(close(reactions[2].fx, -5.76) && close(reactions[2].fy, 4.32));
     assert!(close(loads[0].fx, 0.0) && close(loads[0].fy, -12.0) && close(loads[0].m, -12.0 * 1.8));
@@ -85,7 +85,7 @@ fn a_singular_triangle_is_refused() {
     assert!(health_generally(&frame, &bodies) < 1e-15);
     assert!(matches!(derive_generally(&frame, &mut bodies, Order::First), Err(GroupError::Singular { .. })));
     let (mut loads, mut reactions) = ([Wrench::ZERO; 3], [Wrench::ZERO; 3]);
-    let answer = reactions_generally(&frame, &bodies, &mut loads, &mut reactions);
+    let answer = reactions_generally(&frame, &bodies, &mut loads, &mut reactions, 1);
     assert!(matches!(answer, Err(GroupError::Singular { .. })));
 }
 
@@ -102,7 +102,7 @@ fn groups_that_do_not_fit_are_errors_not_panics() {
         let error = derive_generally(&frame, &mut bodies, Order::First).unwrap_err();
         assert_eq!(error, GroupError::Unfit { links, pairs });
         let (mut loads, mut reactions) = (vec![Wrench::ZERO; links + 1], vec![Wrench::ZERO; pairs]);
-        assert_eq!(reactions_generally(&frame, &bodies, &mut loads, &mut reactions), Err(error));
+        assert_eq!(reactions_generally(&frame, &bodies, &mut loads, &mut reactions, 1), Err(error));
         assert_eq!(place_by_newton(&frame, &mut bodies), Err(error));
         assert!(health_generally(&frame, &bodies) <= 0.0);
     }

@@ -2,10 +2,7 @@
 
 use assur_group::Body;
 
-use crate::ChainError;
-use crate::meeting::Meeting;
-use crate::poses::Poses;
-use crate::wide::Assembly;
+use crate::{ChainError, meeting::Meeting, poses::Poses, wide::Assembly};
 
 /// A transition of one group on a branch.
 #[derive(Debug, Clone, Copy)]
@@ -108,11 +105,6 @@ impl Branch {
         passed.map_or(coordinate, |one| self.coordinate(one.distance))
     }
 
-    /// Whether the branch covers its full length.
-    pub(crate) fn is_complete(&self) -> bool {
-        self.failure.is_none()
-    }
-
     /// Ends the branch at a coordinate, after this number of samples.
     pub(crate) fn end(&mut self, coordinate: f64, samples: usize, failure: ChainError) {
         self.reached = coordinate - self.from;
@@ -130,13 +122,6 @@ impl Branch {
     pub(crate) fn last(&self) -> Vec<u8> {
         let last = |(first, passages): (&u8, &Vec<Passage>)| passages.last().map_or(*first, |one| one.after);
         self.first.iter().zip(&self.passages).map(last).collect()
-    }
-
-    /// The links at the start, but those of iterating groups as at the sample nearest to a coordinate.
-    pub(crate) fn bodies_near(&self, coordinate: f64) -> Vec<Body<f64>> {
-        let mut bodies = self.start.clone();
-        self.guess(coordinate, &mut bodies);
-        bodies
     }
 }
 

@@ -1,13 +1,12 @@
 //! The compiled chain: input link and groups as flat data.
 
 use assur_group::plane::{plus, scaled, vector};
-use assur_group::{Anchor, AssurGroup, Body, GroupError, Number, Order, kernel_of};
+use assur_group::{Anchor, AssurGroup, Body, GroupError, Number, Order};
 use assur_mechanism::{InputPair, Mechanism};
 use assur_number::Real;
 use assur_structure::Structure;
 
-use crate::CompileError;
-use crate::passive::hang::Hanging;
+use crate::{CompileError, passive::hang::Hanging};
 
 /// The input link in one number type.
 #[derive(Debug, Clone, Copy)]
@@ -59,8 +58,8 @@ pub struct Chain<T: Number> {
     pub input: ChainInput<T>,
     /// The groups in solving order.
     pub groups: Vec<Box<dyn AssurGroup<T>>>,
-    /// Whether each group is solved; all are, unless [`limit_to`](Self::limit_to) leaves some out.
-    pub(crate) needed: Vec<bool>,
+    /// Whether each group is solved; all are at first. No needed group may depend on one that is not.
+    pub needed: Vec<bool>,
     bodies: usize,
     /// Passive links, placed after the groups.
     hanging: Vec<Hanging<T>>,
@@ -71,7 +70,7 @@ impl<T: Number> Chain<T> {
     pub fn compile(mechanism: &Mechanism, structure: &Structure) -> Result<Self, CompileError> {
         let mut groups = Vec::with_capacity(structure.groups.len());
         for (i, group) in structure.groups.iter().enumerate() {
-            let kernel = kernel_of::<T>(group.plugin, &group.frame).map_err(|source| {
+            let kernel = T::build(&group.plugin.builders, &group.frame).map_err(|source| {
                 let link = source.link.map(|link| mechanism.links[link].name.to_string());
                 CompileError::Build { group: Box::new(structure.group_name(mechanism, i)), source, link }
             })?;
@@ -80,18 +79,6 @@ impl<T: Number> Chain<T> {
         let needed = vec![true; groups.len()];
         let hanging = structure.passive.iter().filter_map(|passive| Hanging::of(&passive.frame)).collect();
         Ok(Self { input: input_of(mechanism), groups, needed, bodies: structure.links, hanging })
-    }
-
-    /// Leaves out the groups that are not needed; no needed group may depend on them.
-    pub fn limit_to(&mut self, needed: &[bool]) {
-        for (mine, needed) in self.needed.iter_mut().zip(needed) {
-            *mine = *needed;
-        }
-    }
-
-    /// Whether a group is solved.
-    pub fn is_needed(&self, group: usize) -> bool {
-        self.needed[group]
     }
 
     /// Bodies at rest at the origin, as storage for a solution.

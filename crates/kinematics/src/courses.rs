@@ -12,8 +12,7 @@ use serde::Serialize;
 
 mod event;
 
-use crate::Linkage;
-use crate::modes::by_ways;
+use crate::{Linkage, modes::by_ways};
 
 /// Steps over the cycle.
 const SAMPLES: u32 = 720;
@@ -261,7 +260,8 @@ impl<'a> Walk<'a> {
         }
         let is_equal = self.now.1.as_ref().map(Vec::len) == next.as_ref().map(Vec::len);
         // Modes that are about to vanish run faster the nearer they are to that: they don't meet yet.
-        let is_meeting = is_equal && self.is_together(next.as_deref());
+        let is_near = |mode| self.now.1.iter().flatten().any(|(_, one)| self.apart(one, mode) < TOGETHER);
+        let is_meeting = is_equal && next.iter().flatten().all(is_near);
         let shortest = if is_meeting { SHORTEST_EQUAL } else { SHORTEST };
         let is_short = (to - self.now.0).abs() <= shortest * self.unit.abs();
         let continued = match (&self.now.1, &next) {
@@ -288,12 +288,6 @@ impl<'a> Walk<'a> {
         let numbered = |(numbers, next): (Vec<usize>, Vec<_>)| numbers.into_iter().zip(next).collect();
         self.now = (behind, numbers.zip(next).map(numbered));
         self.count(to);
-    }
-
-    /// Whether each next mode is next to a present one.
-    fn is_together(&self, next: Option<&[Mode<f64>]>) -> bool {
-        let is_near = |mode| self.now.1.iter().flatten().any(|(_, one)| self.apart(one, mode) < TOGETHER);
-        next.unwrap_or_default().iter().all(is_near)
     }
 
     /// The numbers of the next modes where it is certain which is which.

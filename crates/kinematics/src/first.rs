@@ -6,9 +6,7 @@ use assur_mechanism::{GROUND, Mechanism};
 use assur_number::{Dd, Real};
 use assur_structure::Structure;
 
-use crate::start::start;
-use crate::wide::Extended;
-use crate::{Chain, ChainError};
+use crate::{Chain, ChainError, start::start, wide::Extended};
 
 /// Distances that differ by less than this (in parts of the scale) count as equal. Near a change point the modes
 /// differ by less than the resolution of 16 digits, but by more than this.
@@ -42,7 +40,7 @@ pub(crate) fn first_ways(
     let mut exact = Exact { chain, extended, from, bodies: Vec::new(), groups: 0 };
     let mut least_health = f64::INFINITY;
     let mut ways = vec![0_u8; chain.groups.len()];
-    for (group, kernel) in chain.groups.iter().enumerate().filter(|(group, _)| chain.is_needed(*group)) {
+    for (group, kernel) in chain.groups.iter().enumerate().filter(|(group, _)| chain.needed[*group]) {
         let iterates = structure.groups[group].plugin.iterates;
         if iterates
             && let Some(modes) =
@@ -196,7 +194,7 @@ impl Exact<'_> {
             self.bodies = extended.bodies();
             extended.set_input(Dd::from_f64(self.from), &mut self.bodies);
         }
-        for earlier in (self.groups..group).filter(|earlier| self.chain.is_needed(*earlier)) {
+        for earlier in (self.groups..group).filter(|earlier| self.chain.needed[*earlier]) {
             let kernel = &extended.groups[earlier];
             let links = &kernel.frame().links;
             copy(links, placed.1, &mut self.bodies);

@@ -9,15 +9,14 @@ use assur_number::Lanes;
 use assur_structure::Structure;
 
 use crate::branch::{Branch, Passage};
-use crate::dependence::Dependence;
 use crate::first::{First, first_ways};
-use crate::follower::Follower;
-use crate::interpolants::Interpolants;
 use crate::poses::{Guesses, iterated};
-use crate::regular::turns_regularly;
 use crate::ways::{Transition, Ways};
 use crate::wide::{Extended, Wide};
-use crate::{AssemblyRange, Chain, ChainError};
+use crate::{
+    AssemblyRange, Chain, ChainError, dependence::Dependence, enclosures::turns_regularly,
+    follower::Follower, interpolants::Interpolants,
+};
 
 /// Samples over one turn, or over the length of the range of a sliding input.
 const SAMPLES: usize = 720;
@@ -114,7 +113,7 @@ impl Path<'_> {
         loop {
             let (length, samples) = (TAU * turns as f64, SAMPLES * turns);
             let mut branch = self.branch(length, samples);
-            if !branch.is_complete() {
+            if branch.failure.is_some() {
                 let back = self.branch(-length, samples);
                 return self.joined(&branch, &back, Some(TAU));
             }

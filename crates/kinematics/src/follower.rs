@@ -5,13 +5,11 @@ use assur_number::{Dd, Lanes, Real};
 use assur_structure::Structure;
 
 use crate::branch::{Branch, Passage};
-use crate::dependence::Dependence;
 use crate::meeting::{Judge, Minimum};
-use crate::poses::Poses;
 use crate::samples::{Samples, Scratch};
 use crate::track::{Tracker, pose_distance};
 use crate::wide::{Assembly, Wide};
-use crate::{Chain, ChainError};
+use crate::{Chain, ChainError, dependence::Dependence, poses::Poses};
 
 /// Coordinates whose relative difference is smaller than this are equal.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
@@ -54,7 +52,7 @@ impl Follower<'_> {
         let mut scratch = Scratch { bodies: self.chain.bodies(), lanes: self.lane_chain.bodies() };
         self.place_input(&mut branch, &mut scratch);
         let released = self.released();
-        for group in (0..self.chain.groups.len()).filter(|group| self.chain.is_needed(*group)) {
+        for group in (0..self.chain.groups.len()).filter(|group| self.chain.needed[*group]) {
             self.follow_group(group, &mut branch, is_back, &mut scratch);
             for &link in &released[group] {
                 branch.poses[link] = Poses::default();

@@ -5,8 +5,7 @@ use assur_number::search::bisect;
 
 use crate::branch::{Branch, Passage};
 use crate::follower::{Event, Follower};
-use crate::track::placed_before;
-use crate::track::pose_distance;
+use crate::{track::placed_before, track::pose_distance};
 
 /// Poses on both sides of a coordinate that differ by less than this (parts of the scale, or rad) continue each
 /// other.

@@ -9,9 +9,7 @@
 use std::f64::consts::{PI, TAU};
 
 use assur_group::Body;
-use assur_number::elementary;
-use assur_number::panel::shares;
-use assur_number::{Dd, Real};
+use assur_number::{Dd, Real, elementary, panel::shares};
 
 use crate::wide::Solved;
 
@@ -44,7 +42,6 @@ const TAU_REST: f64 = 2.449_293_598_294_706_4e-16;
 /// The motion of the links of a group around a change point of its own.
 #[derive(Debug, Clone)]
 pub(crate) struct Interpolant {
-    /// Index of the group.
     pub(crate) group: usize,
     links: Vec<usize>,
     /// The change point, in the turn closest to zero, and the remainder that its f64 leaves out.
@@ -96,7 +93,6 @@ struct Node {
 pub(crate) struct Site<'a> {
     /// The change point, rad or m.
     pub(crate) center: f64,
-    /// Index of the group.
     pub(crate) group: usize,
     pub(crate) links: &'a [usize],
     /// Turns after which the motion repeats, for a pinned input.

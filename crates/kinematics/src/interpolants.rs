@@ -5,11 +5,9 @@ use assur_number::{Dd, Real};
 use assur_structure::Structure;
 
 use crate::interpolant::{Interpolant, Interpolation, Site};
-use crate::poses::Guesses;
-use crate::ways::Ways;
 use crate::wide::{Assembly, Wide};
+use crate::{poses::Guesses, ways::Ways};
 
-/// The interpolants.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Interpolants {
     /// By group.
@@ -28,28 +26,28 @@ impl Interpolants {
         structure: &Structure,
         unit: f64,
         wide: &mut Wide<'_>,
-        (ways, guesses): (&Ways, Option<&Guesses>),
+        assembled: (&Ways, Option<&Guesses>),
     ) -> Self {
+        let ways = assembled.0;
         if ways.change_points().next().is_none() || !wide.is_available() {
             return Self::default();
         }
         wide.restart(Order::Second);
-        let found = Assembled { ways, guesses };
-        let turns = ways.period().map(|period| period / std::f64::consts::TAU);
+        let turns = ways.period.map(|period| period / std::f64::consts::TAU);
         let mut all: Vec<_> = ways
             .change_points()
             .filter_map(|point| {
                 let (center, group) = (point.coordinate, point.group);
                 let links = &structure.groups[group].frame.links;
                 let solve = |q: Dd| {
-                    let way = found.way(group, q.to_f64());
-                    wide.solve(q, (group, way), &found).ok()
+                    let way = assembled.way(group, q.to_f64());
+                    wide.solve(q, (group, way), &assembled).ok()
                 };
                 Interpolant::sample(Site { center, group, links, turns }, unit, solve)
             })
             .collect();
         all.sort_by_key(|interpolant| interpolant.group);
-        let period = ways.period();
+        let period = ways.period;
         let mut centers: Vec<f64> =
             ways.change_points().map(|point| reduced(point.coordinate, period)).collect();
         centers.sort_by(f64::total_cmp);
@@ -94,18 +92,13 @@ impl Interpolants {
 }
 
 /// The assembly after it was followed over the whole range.
-struct Assembled<'a> {
-    ways: &'a Ways,
-    guesses: Option<&'a Guesses>,
-}
-
-impl Assembly for Assembled<'_> {
+impl Assembly for (&Ways, Option<&Guesses>) {
     fn way(&self, group: usize, coordinate: f64) -> u8 {
-        self.ways.at(coordinate)[group]
+        self.0.at(coordinate)[group]
     }
 
     fn guess(&self, coordinate: f64, bodies: &mut [Body<f64>]) {
-        if let Some(guesses) = self.guesses {
+        if let Some(guesses) = self.1 {
             guesses.put(coordinate, bodies);
         }
     }

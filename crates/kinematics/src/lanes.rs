@@ -33,16 +33,6 @@ impl LanePosition {
         }
     }
 
-    /// Puts the single position into a lane.
-    fn put_single(&mut self, lane: usize) {
-        for (all, one) in self.bodies.iter_mut().zip(&self.single.bodies) {
-            all.set_lane(lane, one);
-        }
-        for (all, one) in self.health.iter_mut().zip(&self.single.health) {
-            all.0[lane] = *one;
-        }
-    }
-
     /// Copies the numbers of one lane to another.
     fn repeat(&mut self, from: usize, to: usize) {
         self.bodies.iter_mut().for_each(|body| body.set_lane(to, &body.lane(from)));
@@ -129,7 +119,9 @@ impl Linkage {
         for lane in (0..Lanes::WIDTH).filter(|&lane| alone[lane]) {
             match self.solve(position.coordinates.0[lane], order, &mut position.single) {
                 Ok(()) => {
-                    position.put_single(lane);
+                    let LanePosition { bodies, health, single, .. } = position;
+                    bodies.iter_mut().zip(&single.bodies).for_each(|(all, one)| all.set_lane(lane, one));
+                    health.iter_mut().zip(&single.health).for_each(|(all, one)| all.0[lane] = *one);
                     solved = Some(lane);
                 }
                 Err(error) => failures.push((lane, error)),

@@ -33,7 +33,6 @@ mod passive;
 mod poles;
 mod poses;
 mod rank;
-mod regular;
 mod samples;
 mod start;
 mod track;

@@ -1,22 +1,19 @@
 //! A mechanism compiled for many positions.
 
-use std::f64::consts::TAU;
-use std::sync::Arc;
+use std::{f64::consts::TAU, sync::Arc};
 
 use assur_group::{AssurGroup, Body, GroupError, Order};
 use assur_mechanism::{GROUND, Mechanism, Name, Slide};
 use assur_number::{Lanes, Real, elementary};
 use assur_structure::Structure;
 
-use crate::dependence::Dependence;
 use crate::follow::{coordinate_unit, follow};
-use crate::interpolant::Interpolation;
-use crate::interpolants::Interpolants;
 use crate::passive::{Misfit, decompose, misfits};
-use crate::poses::Guesses;
-use crate::start::refuse_without_start;
 use crate::ways::{END_ROUNDING, Transition, Ways, shifted};
-use crate::{AssemblyRange, Chain, ChainError, CompileError, PositionError};
+use crate::{
+    AssemblyRange, Chain, ChainError, CompileError, PositionError, dependence::Dependence,
+    interpolant::Interpolation, interpolants::Interpolants, poses::Guesses, start::refuse_without_start,
+};
 
 /// The way to a position from the nearest kept poses is divided into at most two to this power of steps.
 const MOST_HALVINGS: u32 = 8;
@@ -84,10 +81,10 @@ impl Linkage {
         needed: &[bool],
     ) -> Result<Self, CompileError> {
         let mut chain = Chain::compile(&mechanism, &structure)?;
-        chain.limit_to(needed);
+        chain.needed = needed.to_vec();
         refuse_without_start(&mechanism, &structure, &chain)?;
         let mut lane_chain = Chain::compile(&mechanism, &structure)?;
-        lane_chain.limit_to(needed);
+        lane_chain.needed = needed.to_vec();
         let followed = follow(&mechanism, &structure, (&chain, &lane_chain));
         let mut linkage = Self {
             mechanism,
@@ -135,11 +132,6 @@ impl Linkage {
     /// The kernels of the groups in solving order.
     pub fn groups(&self) -> &[Box<dyn AssurGroup<f64>>] {
         &self.chain.groups
-    }
-
-    /// The kernels of the groups for eight positions at once, in solving order.
-    pub fn lane_groups(&self) -> &[Box<dyn AssurGroup<Lanes>>] {
-        &self.lane_chain.groups
     }
 
     /// Whether the coordinate is an angle (rad); otherwise a displacement (m).

@@ -102,16 +102,11 @@ impl Judge<'_> {
             None if residue.abs() <= limit => {
                 Minimum::Meeting(Meeting { coordinate: center.to_f64(), residue })
             }
-            _ if residue < 0.0 => Minimum::Gap(center.to_f64(), self.gap(center)),
+            _ if residue < 0.0 => match (self.determinant)(center) {
+                Err(GroupError::NoAssembly { gap_m }) => Minimum::Gap(center.to_f64(), gap_m),
+                _ => Minimum::Gap(center.to_f64(), 0.0),
+            },
             _ => Minimum::Beside,
-        }
-    }
-
-    /// The gap of the group, m.
-    fn gap(&mut self, center: Dd) -> f64 {
-        match (self.determinant)(center) {
-            Err(GroupError::NoAssembly { gap_m }) => gap_m,
-            _ => 0.0,
         }
     }
 

@@ -2,8 +2,7 @@
 
 use assur_group::{AssurGroup, Body, GroupError, Mode};
 
-use crate::track::pose_distance;
-use crate::{Linkage, Position};
+use crate::{Linkage, Position, track::pose_distance};
 
 /// The modes of a group in a position, and which of them the mechanism is in.
 #[derive(Debug, Clone)]

@@ -1,17 +1,12 @@
 //! Finds where links run to infinity: two guides of a group become parallel without coinciding.
 
 use assur_group::Order;
-use assur_number::search::least;
-use assur_number::{Real, elementary};
+use assur_number::{elementary, search::least};
 
-use crate::regular::INTERVALS;
-use crate::{AssemblyRange, Enclosures, Linkage, Position};
+use crate::{AssemblyRange, Enclosures, Linkage, Position, samples::SUSPECT};
 
 /// Samples over one turn, or over the range of a sliding input.
 const SAMPLES: u32 = 720;
-
-/// A local minimum of the determinant above this can't belong to a zero between two samples.
-const SUSPECT: f64 = 0.2;
 
 /// Width to which a zero is located, rad or parts of the scale. At this distance from a pole the links are of the
 /// order of 1/`NEAR` times the scale away, well beyond `AWAY`.
@@ -27,7 +22,7 @@ impl Linkage {
     /// over one full turn or the range of a sliding input.
     pub fn poles(&self) -> Vec<(f64, usize)> {
         let suspects: Vec<usize> = (0..self.groups().len())
-            .filter(|&i| self.chain.is_needed(i) && self.groups()[i].ways() == 1)
+            .filter(|&i| self.chain.needed[i] && self.groups()[i].ways() == 1)
             .collect();
         let Some(range) = self.range.filter(|_| !suspects.is_empty()) else { return Vec::new() };
         if self.keep_clear(&suspects, &range) {
@@ -69,15 +64,10 @@ impl Linkage {
     fn keep_clear(&self, groups: &[usize], range: &AssemblyRange) -> bool {
         let mut needed = vec![false; self.groups().len()];
         groups.iter().flat_map(|group| self.ancestors(*group)).for_each(|group| needed[group] = true);
-        let ways = self.ways.are_constant().then(|| self.ways.at(range.low));
-        let enclosures =
-            ways.and_then(|ways| Enclosures::of(&self.mechanism, &self.structure, &needed, ways));
-        let Some(mut enclosures) = enclosures else { return false };
-        INTERVALS.into_iter().any(|count| {
-            enclosures.all([range.low, range.high], count, Order::Place, |_, health| {
-                groups.iter().all(|group| health[*group].abs().exceeds(CLEAR))
-            })
-        })
+        let all = || Enclosures::of(&self.mechanism, &self.structure, &needed, self.ways.at(range.low));
+        let ends = [range.low, range.high];
+        self.ways.are_constant()
+            && all().is_some_and(|mut all| all.keep_clear(ends, CLEAR, |group| groups.contains(&group)))
     }
 
     fn health_at(&self, groups: &[usize], q: f64, position: &mut Position) -> Vec<f64> {

@@ -21,7 +21,6 @@ impl Poses {
         Some(Body { x: x.0[lane], y: y.0[lane], c: c.0[lane], s: s.0[lane], ..Body::ground() })
     }
 
-    /// The pose at the last sample.
     pub(crate) fn last(&self) -> Option<Body<f64>> {
         self.get(self.len.checked_sub(1)?)
     }

@@ -59,7 +59,7 @@ pub(crate) fn refuse_without_start(
     chain: &Chain<f64>,
 ) -> Result<(), CompileError> {
     for (index, group) in structure.groups.iter().enumerate() {
-        let is_free = !group.plugin.iterates || chain.groups[index].lists_modes() || !chain.is_needed(index);
+        let is_free = !group.plugin.iterates || chain.groups[index].lists_modes() || !chain.needed[index];
         let is_known = |link: usize| {
             let mut before = structure.groups[..index].iter();
             [GROUND, mechanism.input.link].contains(&link)

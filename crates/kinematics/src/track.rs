@@ -3,10 +3,7 @@
 use assur_group::{Body, GroupError};
 use assur_number::elementary;
 
-use crate::Chain;
-use crate::branch::Branch;
-use crate::dependence::Dependence;
-use crate::wide::Assembly;
+use crate::{Chain, branch::Branch, dependence::Dependence, wide::Assembly};
 
 /// Longest step of a pose, rad or parts of the scale: far less than what lies between two modes whose determinants have the
 /// same sign.
@@ -38,7 +35,8 @@ pub(crate) fn placed_before(
     q: f64,
     branch: &Branch,
 ) -> Result<Vec<Body<f64>>, GroupError> {
-    let mut bodies = branch.bodies_near(q);
+    let mut bodies = branch.start.clone();
+    branch.guess(q, &mut bodies);
     chain.set_input(q, &mut bodies);
     for ancestor in dependence.ancestors(group, |_| false) {
         chain.groups[ancestor].place(&mut bodies, usize::from(branch.way(ancestor, q)))?;

@@ -40,8 +40,8 @@ pub struct Ways {
     /// Start of the interval that was followed.
     low: f64,
     /// The length after which the modes repeat: that of the interval if the motion is periodic, a turn if it is an angle
-    /// and less than a turn.
-    period: Option<f64>,
+    /// and less than a turn; `None` where they don't.
+    pub(crate) period: Option<f64>,
     /// In increasing order from `low`.
     transitions: Vec<Transition>,
     /// The modes of all groups before, between and after the transitions: one row more than transitions.
@@ -78,11 +78,6 @@ impl Ways {
     #[inline]
     pub(crate) fn are_constant(&self) -> bool {
         self.transitions.is_empty()
-    }
-
-    /// The length after which the modes repeat, rad or m; `None` where they don't.
-    pub(crate) fn period(&self) -> Option<f64> {
-        self.period
     }
 
     /// The transitions at which two modes meet.

@@ -4,16 +4,14 @@
 //! give only 8 digits of the determinant. These don't show whether the modes meet, pass close to each other or leave a
 //! gap.
 
-use std::cell::OnceCell;
-use std::collections::HashMap;
+use std::{cell::OnceCell, collections::HashMap};
 
 use assur_group::{Body, GroupError, Order};
 use assur_mechanism::Mechanism;
 use assur_number::{Dd, Real};
 use assur_structure::Structure;
 
-use crate::Chain;
-use crate::dependence::Dependence;
+use crate::{Chain, dependence::Dependence};
 
 /// Number of states of the chain that are kept: the change points of many groups are often at one coordinate.
 const MOST_STATES: usize = 64;
@@ -47,6 +45,9 @@ impl<'a> Extended<'a> {
     }
 }
 
+/// All links at one coordinate, and which groups are already solved there.
+type State = (Vec<Body<Dd>>, Vec<bool>);
+
 /// The chain in double-double with its most recently solved states.
 #[derive(Debug)]
 pub(crate) struct Wide<'a> {
@@ -54,14 +55,7 @@ pub(crate) struct Wide<'a> {
     dependence: &'a Dependence,
     /// Highest order of the derivatives in the states.
     order: Order,
-    states: HashMap<[u64; 2], SolvedBodies>,
-}
-
-/// All links at one coordinate, and which groups are already solved there.
-#[derive(Debug)]
-struct SolvedBodies {
-    bodies: Vec<Body<Dd>>,
-    is_solved: Vec<bool>,
+    states: HashMap<[u64; 2], State>,
 }
 
 impl<'a> Wide<'a> {
@@ -94,21 +88,21 @@ impl<'a> Wide<'a> {
             self.states.clear();
         }
         let chain = self.extended.chain().ok_or(GroupError::Singular { health: f64::NAN })?;
-        let state = self.states.entry(key).or_insert_with(|| {
+        let (bodies, is_solved) = self.states.entry(key).or_insert_with(|| {
             let mut guess = vec![Body::ground(); chain.bodies().len()];
             assembly.guess(q.to_f64(), &mut guess);
             let mut bodies: Vec<_> = guess.iter().map(|body| body.map(Dd::from_f64)).collect();
             chain.set_input(q, &mut bodies);
-            SolvedBodies { bodies, is_solved: vec![false; chain.groups.len()] }
+            (bodies, vec![false; chain.groups.len()])
         });
-        for ancestor in self.dependence.ancestors(group, |group| state.is_solved[group]) {
+        for ancestor in self.dependence.ancestors(group, |group| is_solved[group]) {
             let way = assembly.way(ancestor, q.to_f64());
-            let solved = chain.groups[ancestor].solve(&mut state.bodies, usize::from(way), self.order);
+            let solved = chain.groups[ancestor].solve(bodies, usize::from(way), self.order);
             solved.map_err(|_| GroupError::Singular { health: f64::NAN })?;
-            state.is_solved[ancestor] = true;
+            is_solved[ancestor] = true;
         }
         let kernel = &chain.groups[group];
-        let health = kernel.solve(&mut state.bodies, usize::from(way), self.order)?;
-        Ok((kernel.frame().links.iter().map(|link| state.bodies[*link]).collect(), health))
+        let health = kernel.solve(bodies, usize::from(way), self.order)?;
+        Ok((kernel.frame().links.iter().map(|link| bodies[*link]).collect(), health))
     }
 }

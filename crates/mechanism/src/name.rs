@@ -1,20 +1,21 @@
 //! Names of links, points, pairs and loads.
 
 use std::borrow::{Borrow, Cow};
-use std::fmt;
-use std::ops::Deref;
+use std::{fmt, ops::Deref};
 
 use assur_words::{Text, name, text};
-use serde::{Serialize, Serializer};
+use serde::Serialize;
 
 use crate::{LinkId, Mechanism, PairId, PointId, SlideId};
 
 /// A name of the scene, or one that the program gives, which has its own words in each language (`force 1 on rod`).
 ///
 /// As a string it is English: what results are found by.
-#[derive(Clone, Eq)]
+#[derive(Clone, Eq, Serialize)]
+#[serde(transparent)]
 pub struct Name {
     english: String,
+    #[serde(skip)]
     text: Text,
 }
 
@@ -47,12 +48,6 @@ impl fmt::Debug for Name {
 impl fmt::Display for Name {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.pad(&self.english)
-    }
-}
-
-impl Serialize for Name {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.serialize_str(&self.english)
     }
 }
 
@@ -125,9 +120,11 @@ impl From<Name> for String {
 
 /// A link, point, slide or pair: who looks for it has its id, and who writes it has its name. As a key it is its name, which no
 /// other part of its kind has.
-#[derive(Debug, Clone, Eq)]
+#[derive(Debug, Clone, Eq, Serialize)]
+#[serde(transparent)]
 pub struct Named<I> {
     /// Which one it is.
+    #[serde(skip)]
     pub id: I,
     /// Its name.
     pub name: Name,
@@ -144,12 +141,6 @@ impl<I> Deref for Named<I> {
 impl<I> fmt::Display for Named<I> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         fmt::Display::fmt(&self.name, f)
-    }
-}
-
-impl<I> Serialize for Named<I> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        self.name.serialize(serializer)
     }
 }
 
@@ -201,10 +192,14 @@ impl Mechanism {
 
     /// A pin or slide with its name.
     pub fn named_pair(&self, id: PairId) -> Named<PairId> {
-        let name = match id {
+        Named { id, name: self.pair_name(id).clone() }
+    }
+
+    /// The name of a pin or slide.
+    pub fn pair_name(&self, id: PairId) -> &Name {
+        match id {
             PairId::Pin(point) => &self.points[point].name,
             PairId::Slide(slide) => &self.slides[slide].name,
-        };
-        Named { id, name: name.clone() }
+        }
     }
 }

@@ -1,7 +1,6 @@
 //! What depends on each other, in an order in which everything comes after what it depends on.
 
-use std::cmp::Reverse;
-use std::collections::BinaryHeap;
+use std::{cmp::Reverse, collections::BinaryHeap};
 
 /// Stands for no number yet.
 const NONE: usize = usize::MAX;

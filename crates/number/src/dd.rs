@@ -33,12 +33,6 @@ pub(crate) fn quick_two_sum(a: f64, b: f64) -> Dd {
     Dd { hi, lo: b - (hi - a) }
 }
 
-/// a b exactly.
-fn two_product(a: f64, b: f64) -> Dd {
-    let hi = a * b;
-    Dd { hi, lo: a.mul_add(b, -hi) }
-}
-
 /// a b exactly without a fused multiply-add, which takes long where the machine has none (Dekker); for |a|, |b| below 1e290.
 pub(crate) fn split_product(a: f64, b: f64) -> Dd {
     /// 2^27 + 1 (Veltkamp): the product with it, less itself, leaves the upper half of the digits.
@@ -102,8 +96,10 @@ impl Sub for Dd {
 impl Mul for Dd {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
-        let p = two_product(self.hi, other.hi);
-        quick_two_sum(p.hi, p.lo + (self.hi * other.lo + self.lo * other.hi))
+        // The product of the leading parts and its rounding, exactly.
+        let hi = self.hi * other.hi;
+        let lo = self.hi.mul_add(other.hi, -hi);
+        quick_two_sum(hi, lo + (self.hi * other.lo + self.lo * other.hi))
     }
 }
 
@@ -151,18 +147,6 @@ impl Real for Dd {
     }
     fn abs(self) -> Self {
         if self.hi < 0.0 { -self } else { self }
-    }
-    fn least(self) -> f64 {
-        self.to_f64()
-    }
-    fn greatest(self) -> f64 {
-        self.to_f64()
-    }
-    fn clamp_negative(self) -> Self {
-        if self.hi < 0.0 { Self::ZERO } else { self }
-    }
-    fn sign(self) -> Self {
-        if self.hi < 0.0 { -Self::ONE } else { Self::ONE }
     }
     fn sin_cos(self) -> (Self, Self) {
         let turns = (self.hi / HALF_PI[0]).round();

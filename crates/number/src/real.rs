@@ -61,9 +61,15 @@ pub trait Real:
     #[must_use]
     fn abs(self) -> Self;
     /// The smallest lane; NaN if a lane is NaN.
-    fn least(self) -> f64;
+    #[inline(always)]
+    fn least(self) -> f64 {
+        self.to_f64()
+    }
     /// The greatest lane; NaN if a lane is NaN.
-    fn greatest(self) -> f64;
+    #[inline(always)]
+    fn greatest(self) -> f64 {
+        self.to_f64()
+    }
     /// Whether every lane is at least `limit`; no, if a lane is NaN.
     #[inline(always)]
     fn at_least(self, limit: f64) -> bool {
@@ -76,10 +82,16 @@ pub trait Real:
     }
     /// The greater of this number and zero, lane by lane.
     #[must_use]
-    fn clamp_negative(self) -> Self;
+    #[inline(always)]
+    fn clamp_negative(self) -> Self {
+        if self.to_f64() < 0.0 { Self::ZERO } else { self }
+    }
     /// -1 for a negative number, else 1, lane by lane.
     #[must_use]
-    fn sign(self) -> Self;
+    #[inline(always)]
+    fn sign(self) -> Self {
+        if self.to_f64() < 0.0 { -Self::ONE } else { Self::ONE }
+    }
     /// Sine and cosine of an angle, rad.
     fn sin_cos(self) -> (Self, Self);
 
@@ -107,22 +119,23 @@ pub trait Real:
 
 macro_rules! primitive {
     ($float:ident, $sin_cos:path) => {
+        #[expect(clippy::allow_attributes, reason = "one macro serves both widths")]
+        #[allow(
+            clippy::cast_lossless,
+            clippy::cast_possible_truncation,
+            trivial_numeric_casts,
+            reason = "one macro serves both widths, and f32 is asked for to see what it loses"
+        )]
         impl Real for $float {
             const ZERO: Self = 0.0;
             const ONE: Self = 1.0;
-            #[expect(clippy::allow_attributes, reason = "one macro serves both widths")]
-            #[allow(clippy::cast_lossless, trivial_numeric_casts, reason = "one macro serves both widths")]
             const EPSILON: f64 = $float::EPSILON as f64;
 
             #[inline(always)]
-            #[expect(clippy::allow_attributes, reason = "one macro serves both widths")]
-            #[allow(clippy::cast_possible_truncation, reason = "f32 is asked for to see what it loses")]
             fn from_f64(value: f64) -> Self {
                 value as $float
             }
             #[inline(always)]
-            #[expect(clippy::allow_attributes, reason = "one macro serves both widths")]
-            #[allow(clippy::cast_lossless, reason = "one macro serves both widths")]
             fn to_f64(self) -> f64 {
                 self as f64
             }
@@ -133,22 +146,6 @@ macro_rules! primitive {
             #[inline(always)]
             fn abs(self) -> Self {
                 $float::abs(self)
-            }
-            #[inline(always)]
-            fn least(self) -> f64 {
-                self.to_f64()
-            }
-            #[inline(always)]
-            fn greatest(self) -> f64 {
-                self.to_f64()
-            }
-            #[inline(always)]
-            fn clamp_negative(self) -> Self {
-                if self < 0.0 { 0.0 } else { self }
-            }
-            #[inline(always)]
-            fn sign(self) -> Self {
-                if self < 0.0 { -1.0 } else { 1.0 }
             }
             #[inline(always)]
             fn sin_cos(self) -> (Self, Self) {

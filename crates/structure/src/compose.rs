@@ -8,9 +8,7 @@ use assur_words::{Text, joined, name, text};
 
 use crate::frame::{Incidence, LeftOut, frame_of, input_pair, pair_alone, typical_length};
 use crate::graph::{Block, Graph, Node};
-use crate::{
-    Counted, Group, Mobility, NamedPair, Passive, PassivePart, Structure, StructureError, name_of, roman,
-};
+use crate::{Group, Mobility, NamedPair, Passive, PassivePart, Structure, StructureError, roman};
 
 impl Structure {
     /// Decomposes a mechanism into Assur groups.
@@ -24,7 +22,7 @@ impl Structure {
         let mobility = count(mechanism);
         let left_out = LeftOut::of(mechanism, parts);
         let graph = counted_system(mechanism, &left_out);
-        refuse_other_mobility(mechanism, &mobility, &graph)?;
+        refuse_other_mobility(mechanism, mobility, &graph)?;
         let incidence = Incidence::of(mechanism);
         let scale = typical_length(mechanism);
         let mut pairs = vec![input_pair(mechanism)];
@@ -119,19 +117,15 @@ pub(crate) fn counted_system(mechanism: &Mechanism, left_out: &LeftOut) -> Graph
 /// Returns an error that names the loose links or surplus pairs of a mechanism that one input does not determine.
 fn refuse_other_mobility(
     mechanism: &Mechanism,
-    mobility: &Mobility,
+    counted: Mobility,
     graph: &Graph,
 ) -> Result<(), StructureError> {
-    let counted = Counted {
-        mobility: mobility.value,
-        formula: format!("3*{} - 2*{}", mobility.moving_links, mobility.pairs),
-    };
     let link_names = |nodes: &[usize]| -> Vec<String> {
         links_of(graph, nodes).into_iter().map(|link| mechanism.links[link].name.to_string()).collect()
     };
     let surplus = graph.surplus().map(|(blocks, nodes)| {
         let mut seen = HashSet::new();
-        let names = blocks.into_iter().map(|block| name_of(mechanism, graph.blocks[block].source));
+        let names = blocks.into_iter().map(|block| mechanism.pair_name(graph.blocks[block].source));
         let pairs: Vec<String> = names.filter(|name| seen.insert(*name)).map(ToString::to_string).collect();
         (pairs, link_names(&nodes))
     });
@@ -199,7 +193,7 @@ fn group_of(mechanism: &Mechanism, frame: GroupFrame, pairs: &[NamedPair]) -> Re
     };
     let held = frame.pairs().filter(|pair| pair.is_slide()).find_map(|slide| {
         let pin = frame.pairs().find(|pair| !pair.is_slide() && joins(pair, slide))?;
-        Some([pin, slide].map(|pair| Box::new(name_of(mechanism, pairs[pair.id].source).clone())))
+        Some([pin, slide].map(|pair| Box::new(mechanism.pair_name(pairs[pair.id].source).clone())))
     });
     if let Some([pin, slide]) = held {
         return Err(StructureError::Held { pin, slide });
@@ -221,7 +215,7 @@ fn pattern(mechanism: &Mechanism, frame: &GroupFrame, pairs: &[NamedPair]) -> Te
     let named = |list: &[Pair]| {
         let names = list.iter().map(|pair| {
             let letter = if pair.is_slide() { "P" } else { "R" };
-            joined(" ", [name(letter), Text::from(name_of(mechanism, pairs[pair.id].source))])
+            joined(" ", [name(letter), Text::from(mechanism.pair_name(pairs[pair.id].source))])
         });
         assur_words::list(names)
     };

@@ -4,14 +4,7 @@ use assur_group::RegistryError;
 use assur_mechanism::Name;
 use assur_words::{Describe, Text, list, name, number, quantity, text};
 
-/// The mobility count that an error shows.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Counted {
-    /// W by Chebyshev's formula.
-    pub mobility: i64,
-    /// The calculation of W: `3*5 - 2*7`.
-    pub formula: String,
-}
+use crate::Mobility;
 
 /// Why a mechanism can't be decomposed into groups.
 #[derive(Clone, PartialEq)]
@@ -20,7 +13,7 @@ pub enum StructureError {
     /// Some links can move while the input is fixed.
     Loose {
         /// The count.
-        counted: Counted,
+        counted: Mobility,
         /// The links that are loose.
         links: Vec<String>,
         /// Pairs elsewhere of which one is surplus.
@@ -33,7 +26,7 @@ pub enum StructureError {
     /// Some pairs constrain what is already fixed.
     Surplus {
         /// The count.
-        counted: Counted,
+        counted: Mobility,
         /// Pairs of which one is surplus.
         pairs: Vec<String>,
         /// Links that they lock.
@@ -111,19 +104,19 @@ impl Describe for StructureError {
         match self {
             // A link alone is attached by one pair; several with all their points joined are held as in a chain of five links.
             Self::Loose { counted, links, surplus, alike: None, alone }
-                if counted.mobility == 2 && links.len() > 1 && surplus.is_empty() && alone.is_empty() =>
+                if counted.value == 2 && links.len() > 1 && surplus.is_empty() && alone.is_empty() =>
             {
                 text!(
                     "structure-more-inputs",
-                    mobility = number(counted.mobility),
-                    formula = name(counted.formula.clone()),
+                    mobility = number(counted.value),
+                    formula = name(counted.formula()),
                     links = links_named(links)
                 )
             }
             Self::Loose { counted, links, surplus, alike, alone } => text!(
                 "structure-loose",
-                mobility = number(counted.mobility),
-                formula = name(counted.formula.clone()),
+                mobility = number(counted.value),
+                formula = name(counted.formula()),
                 links = links_named(links),
                 count = links.len(),
                 also = if surplus.is_empty() {
@@ -142,8 +135,8 @@ impl Describe for StructureError {
             ),
             Self::Surplus { counted, pairs, links, why } => text!(
                 "structure-surplus",
-                mobility = number(counted.mobility),
-                formula = name(counted.formula.clone()),
+                mobility = number(counted.value),
+                formula = name(counted.formula()),
                 pairs = text!("structure-pairs", count = pairs.len(), pairs = some(pairs, "`")),
                 count = pairs.len(),
                 links = links_named(links),

@@ -54,18 +54,6 @@ struct Search {
     reached: Vec<usize>,
 }
 
-impl Search {
-    fn new(nodes: usize) -> Self {
-        Self {
-            met: vec![0; nodes],
-            closed: vec![false; nodes],
-            from: vec![0; nodes],
-            queue: VecDeque::new(),
-            reached: Vec::new(),
-        }
-    }
-}
-
 impl Graph {
     /// Matches as many equations as possible to unknowns, each equation by the shortest augmenting path.
     ///
@@ -76,7 +64,8 @@ impl Graph {
         let (equations, count) = (2 * blocks.len(), nodes.len());
         let held = vec![Vec::with_capacity(3); count];
         let mut graph = Self { nodes, blocks, matched: vec![None; equations], held };
-        let mut search = Search::new(count);
+        let (met, closed, from) = (vec![0; count], vec![false; count], vec![0; count]);
+        let mut search = Search { met, closed, from, queue: VecDeque::new(), reached: Vec::new() };
         for equation in 0..equations {
             graph.augment(equation, &mut search);
         }

@@ -16,8 +16,8 @@ mod taken_apart;
 assur_words::resources!();
 
 pub use compose::Excess;
-pub use error::{Counted, StructureError};
-pub use taken_apart::{Group, Mobility, NamedPair, Passive, PassivePart, Structure, name_of, roman};
+pub use error::StructureError;
+pub use taken_apart::{Group, Mobility, NamedPair, Passive, PassivePart, Structure, roman};
 
 #[cfg(test)]
 mod tests;

@@ -40,6 +40,13 @@ pub struct Mobility {
     pub value: i64,
 }
 
+impl Mobility {
+    /// The calculation of W: `3*5 - 2*7`.
+    pub fn formula(&self) -> String {
+        format!("3*{} - 2*{}", self.moving_links, self.pairs)
+    }
+}
+
 /// A kinematic pair and the pin or slide of the scene that it belongs to.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct NamedPair {
@@ -107,7 +114,7 @@ impl Structure {
 
     /// Name of the pin or slide that a pair belongs to.
     pub fn pair_name<'a>(&self, mechanism: &'a Mechanism, pair: usize) -> &'a Name {
-        name_of(mechanism, self.pairs[pair].source)
+        mechanism.pair_name(self.pairs[pair].source)
     }
 
     /// Whether a pair belongs to a joint of more than two links; its reaction is then only a part of the force that
@@ -133,14 +140,6 @@ impl Group {
         let original =
             |seen: &SeenPair| self.frame.outer.iter().find(|pair| pair.id == seen.pair.id).copied();
         reading.outer.iter().filter_map(original).collect()
-    }
-}
-
-/// Name of a pin or slide.
-pub fn name_of(mechanism: &Mechanism, pair: PairId) -> &Name {
-    match pair {
-        PairId::Pin(point) => &mechanism.points[point].name,
-        PairId::Slide(slide) => &mechanism.slides[slide].name,
     }
 }
 

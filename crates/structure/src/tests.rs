@@ -90,7 +90,7 @@ fn a_surplus_pair_is_named() {
         .replace("[input]", "[link.third]\npoints = { D = 0, E = 0.1 }\n[input]");
     let error = structure(&text).unwrap_err();
     let StructureError::Surplus { counted, pairs, links, .. } = &error else { panic!("{error}") };
-    assert_eq!((counted.mobility, counted.formula.as_str()), (0, "3*4 - 2*6"));
+    assert_eq!((counted.value, counted.formula().as_str()), (0, "3*4 - 2*6"));
     assert!(pairs.contains(&"D".to_owned()) && pairs.contains(&"E".to_owned()), "{pairs:?}");
     assert_eq!(links, &["coupler", "rocker", "third"]);
 }

@@ -1,7 +1,7 @@
 //! A sample with the kernel under test.
 
 use assur_group::plane::vector;
-use assur_group::{AssurGroup, Body, GroupError, GroupPlugin, Number, Order, PairGeometry, kernel_of};
+use assur_group::{AssurGroup, Body, GroupError, GroupPlugin, Number, Order, PairGeometry};
 use assur_number::Real;
 
 use crate::sample::Sample;
@@ -55,7 +55,7 @@ impl Case {
         if !plugin.fits(&sample.frame) {
             return Err(fault("does not match a group of its own kind".into()));
         }
-        let kernel = kernel_of::<f64>(plugin, &sample.frame).map_err(|error| fault(error.to_string()))?;
+        let kernel = f64::build(&plugin.builders, &sample.frame).map_err(|error| fault(error.to_string()))?;
         // A kind that iterates may tell its modes apart otherwise than by their number.
         if !plugin.iterates && kernel.ways() != plugin.ways.most {
             return Err(fault(format!("declares {} ways, and has {}", plugin.ways.most, kernel.ways())));
@@ -97,7 +97,7 @@ impl Case {
 
     /// The kernel in another number type.
     pub(crate) fn kernel_in<T: Number>(&self) -> Result<Box<dyn AssurGroup<T>>, Fault> {
-        kernel_of::<T>(self.plugin, &self.sample.frame)
+        T::build(&self.plugin.builders, &self.sample.frame)
             .map_err(|error| self.fault("build", error.to_string()))
     }
 

@@ -29,7 +29,7 @@ pub use rng::Rng;
 
 use assur_group::{
     Assemblies, Body, Builders, ForceAngle, GroupFrame, GroupPlugin, Iterated, Number, Pattern, Wrench,
-    groups, kernel_of,
+    groups,
 };
 use assur_number::Dd;
 use assur_words::Text;
@@ -194,7 +194,7 @@ fn reactions_in<T: Number>(
 ) -> Vec<Wrench<f64>> {
     let solve = || -> Result<Vec<Wrench<T>>, Box<dyn std::error::Error>> {
         let plugin = groups()?.into_iter().find(|plugin| plugin.name == name).ok_or("not registered")?;
-        let kernel = kernel_of::<T>(plugin, frame)?;
+        let kernel = T::build(&plugin.builders, frame)?;
         let mut bodies: Vec<Body<T>> = bodies.iter().map(|body| body.map(T::from_f64)).collect();
         kernel.place(&mut bodies, 0)?;
         let mut loads: Vec<Wrench<T>> = loads.iter().map(|load| load.map(T::from_f64)).collect();

@@ -4,7 +4,6 @@ use assur_force::{Bearing, FrictionIteration, Kinetostatics, Loads, UnknownKind}
 use assur_group::plane::{dot, minus, perp};
 use assur_kinematics::Position;
 use assur_mechanism::{GROUND, Mechanism, PairId, Surfaces};
-use assur_structure::name_of;
 use assur_words::{Text, joined, number, quantity, text};
 use assur_worksheet::{Expr, Symbol};
 
@@ -88,7 +87,7 @@ impl Work<'_> {
     /// moment, N.
     fn friction_loads(&mut self, bearing: &Bearing, force: f64, lever: f64) {
         let mechanism = &self.linkage.mechanism;
-        let of = Text::from(name_of(mechanism, bearing.pair));
+        let of = Text::from(mechanism.pair_name(bearing.pair));
         let tag = Symbol::from(of.clone()).of(self.sheet.body_name(bearing.link));
         if force == 0.0 {
             return;
@@ -137,7 +136,7 @@ impl Work<'_> {
 
 /// A magnitude in words.
 fn modulus(mechanism: &Mechanism, bearing: &Bearing, kind: UnknownKind) -> Text {
-    let pair = Text::from(name_of(mechanism, bearing.pair));
+    let pair = Text::from(mechanism.pair_name(bearing.pair));
     match kind {
         UnknownKind::Force => {
             text!("working-friction-pin", pair, link = Text::from(&mechanism.links[bearing.link].name))

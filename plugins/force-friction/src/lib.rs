@@ -106,7 +106,7 @@ impl ForceAnalyzer for Friction {
         loads: &mut [Wrench<Lanes>],
         out: &mut Reactions<Lanes>,
     ) -> bool {
-        let (groups, bodies) = (linkage.lane_groups(), &position.bodies[..]);
+        let (groups, bodies) = (&linkage.lane_chain.groups, &position.bodies[..]);
         if out.friction.is_some() {
             return Quick { linkage, groups, bodies }.solve(loads, out).is_some();
         }

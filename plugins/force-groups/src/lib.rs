@@ -60,7 +60,7 @@ impl ForceAnalyzer for Groups {
         loads: &mut [Wrench<Lanes>],
         out: &mut Reactions<Lanes>,
     ) -> bool {
-        let (groups, bodies) = (linkage.lane_groups(), &position.bodies);
+        let (groups, bodies) = (&linkage.lane_chain.groups, &position.bodies);
         group_by_group(linkage, groups, bodies, loads, out, AssurGroup::reactions).is_ok()
     }
 }

@@ -2,7 +2,6 @@ use assur_all as _;
 use assur_force::{ForceAnalyzer, ForceError, LoadState, Loads, Reactions, joints, power};
 use assur_group::{Order, Wrench};
 use assur_kinematics::Linkage;
-use assur_structure::name_of;
 use serde_json::Value;
 
 use crate::Groups;
@@ -67,7 +66,7 @@ fn reactions_agree_with_the_independent_results() {
                 .collect::<Vec<_>>();
             assert_eq!(joints.len(), wanted["reactions"].as_object().unwrap().len());
             for joint in joints {
-                let name = name_of(&linkage.mechanism, joint.joint);
+                let name = linkage.mechanism.pair_name(joint.joint);
                 let wanted = &wanted["reactions"][name.as_str()];
                 for (link, force) in &joint.forces {
                     largest = largest.max(force[0].hypot(force[1]));

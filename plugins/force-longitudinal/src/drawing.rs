@@ -1,15 +1,13 @@
 //! The construction as L draws it: the pole, F resolved along KA and KP, the polygon that closes in P.
 
 use assur_force::{Acting, Construction, ConstructionStep, Drawing, VectorKind};
-use assur_group::plane::{cross, dot, minus, opposite, perp, plus, scaled};
+use assur_group::plane::{cross, dot, length, minus, opposite, perp, plus, scaled};
 use assur_group::{Body, Wrench};
 use assur_kinematics::Linkage;
-use assur_number::{ROUNDING, elementary};
+use assur_number::ROUNDING;
 use assur_words::{Text, joined, name, number, quantity, text};
 
-use crate::layout::{End, Layout};
-use crate::layout::{Setting, Unknowns};
-use crate::layout::{at_a, at_b};
+use crate::layout::{End, Layout, Setting, Unknowns, at_a, at_b};
 
 /// What the drawing needs besides [`Setting`] and [`Unknowns`].
 #[derive(Debug)]
@@ -111,17 +109,10 @@ fn push_line(
     [after, vector]: [[f64; 2]; 2],
     note: Text,
 ) {
-    let (kind, drawing) = (VectorKind::Line, Drawing::Mechanism);
-    draft.push(ConstructionStep {
-        name: lettered(symbol),
-        kind,
-        drawing,
-        start,
-        after,
-        vector,
-        unit: "N",
-        note,
-    });
+    push(draft, (Drawing::Mechanism, VectorKind::Line), [(symbol, start, vector, note)]);
+    if let Some(line) = draft.last_mut() {
+        (line.after, line.unit) = (after, "N");
+    }
 }
 
 /// The symbol of a step; some have letters of their own in each language.
@@ -148,7 +139,7 @@ pub(crate) fn draw(scene: &Scene, at: &Setting, found: &Unknowns) -> Constructio
     reactions(&mut draft, scene, at, found);
     let (_, crank) = at.crank();
     // A pole far off the paper is of no use to lay forces off from.
-    let near = |place: &[f64; 2]| elementary::hypot(place[0] - at.a[0], place[1] - at.a[1]) < 100.0 * crank;
+    let near = |place: &[f64; 2]| length(minus(*place, at.a)) < 100.0 * crank;
     let corner = pole.place(at).filter(near).unwrap_or(at.a);
     let title = text!("force-longitudinal-title", coupler = &scene.coupler, point = &scene.a);
     Construction { title, corner, steps: draft }
@@ -183,15 +174,14 @@ fn point_of_action(scene: &Scene, at: &Setting) -> ([f64; 2], f64) {
         return (action.at, action.couple);
     }
     let rod = minus(at.b, at.a);
-    let (length, size) = (elementary::hypot(rod[0], rod[1]), elementary::hypot(at.force[0], at.force[1]));
-    let shift = scaled(length / size, at.force);
+    let (rod, size) = (length(rod), length(at.force));
+    let shift = scaled(rod / size, at.force);
     let miss = |place: &[f64; 2]| (cross(minus(*place, at.a), at.force) - at.moment_a).abs();
-    let real = scene.places.iter().copied().filter(|place| miss(place) <= 1e-9 * length * size);
+    let real = scene.places.iter().copied().filter(|place| miss(place) <= 1e-9 * rod * size);
     let made = [action.at, plus(action.at, shift), minus(action.at, shift)];
     let sound = |place: &[f64; 2]| {
         let (to_a, to_p) = (minus(at.a, *place), Pole::of(at).from(*place, at));
-        cross(to_a, to_p).abs()
-            > 0.02 * elementary::hypot(to_a[0], to_a[1]) * elementary::hypot(to_p[0], to_p[1])
+        cross(to_a, to_p).abs() > 0.02 * length(to_a) * length(to_p)
     };
     (real.chain(made).find(sound).unwrap_or(action.at), 0.0)
 }
@@ -228,12 +218,11 @@ fn resolution(draft: &mut Vec<ConstructionStep>, scene: &Scene, at: &Setting, fo
     if turn != 0.0 {
         part_a = scaled(cross(at.force, to_p) / turn, to_a);
         part_p = minus(at.force, part_a);
-        let unit = scaled(elementary::hypot(to_a[0], to_a[1]) / elementary::hypot(to_p[0], to_p[1]), to_p);
+        let unit = scaled(length(to_a) / length(to_p), to_p);
         let line = pole.place(at).map_or(unit, |place| minus(place, k));
         let to_pole = match pole.place(at) {
             Some(place) => {
-                let [kp, ap] =
-                    [k, at.a].map(|from| minus(place, from)).map(|way| elementary::hypot(way[0], way[1]));
+                let [kp, ap] = [k, at.a].map(|from| minus(place, from)).map(length);
                 let ratio = number(format_args!("{:.6}", kp / ap));
                 text!("force-longitudinal-lever", ratio = ratio, point = &scene.a)
             }

@@ -7,13 +7,12 @@
 
 use assur_force::ForceError;
 use assur_group::LEAST_HEALTH;
-use assur_group::plane::{cross, dot, minus, opposite, perp, plus, scaled};
+use assur_group::plane::{cross, dot, length, minus, opposite, perp, plus, scaled};
 use assur_kinematics::Linkage;
 use assur_number::{ROUNDING, elementary};
 use assur_words::{Text, text};
 
-use crate::layout::{End, Layout};
-use crate::layout::{Setting, Unknowns};
+use crate::layout::{End, Layout, Setting, Unknowns};
 use crate::{Longitudinal, singular};
 
 /// Why the equations have no solution.
@@ -45,7 +44,7 @@ pub(crate) fn published(at: &Setting) -> Result<Unknowns, Failure> {
     let xp = -yp * (sin / cos);
     let ap = -yp / cos - r1;
     let rod = minus(at.b, at.a);
-    let health = cross(rod, x).abs() / elementary::hypot(rod[0], rod[1]);
+    let health = cross(rod, x).abs() / length(rod);
     if health.is_nan() || health < LEAST_HEALTH || ap == 0.0 {
         return Err(Failure::Singular(health));
     }
@@ -93,7 +92,7 @@ fn lines(linkage: &Linkage, layout: &Layout) -> Text {
 pub(crate) fn stable(at: &Setting) -> Result<Unknowns, f64> {
     let rod = minus(at.b, at.a);
     let arm = cross(rod, at.line);
-    let health = arm.abs() / elementary::hypot(rod[0], rod[1]);
+    let health = arm.abs() / length(rod);
     if health.is_nan() || health < LEAST_HEALTH {
         return Err(health);
     }

@@ -1,11 +1,10 @@
 //! Geometry and loads of one position, reduced to the case of L: one load on the coupler. Which link is the crank, the coupler, the slider or rocker; and why another mechanism has no such links.
 
 use assur_force::Reactions;
-use assur_group::plane::{cross, dot, minus, perp, plus, scaled};
+use assur_group::plane::{cross, dot, length, minus, perp, plus, scaled};
 use assur_group::{Body, Pair, PinJoint, SlideJoint, Wrench};
 use assur_kinematics::Linkage;
 use assur_mechanism::{Balance, GROUND, InputPair, LinkId};
-use assur_number::elementary;
 use assur_words::{Text, name, text};
 
 /// The roles of links and pairs.
@@ -154,7 +153,7 @@ impl Setting {
             End::Pin(pin) => {
                 let c = bodies[GROUND].point(pin.at);
                 let rocker = minus(b, c);
-                let length = elementary::hypot(rocker[0], rocker[1]);
+                let length = length(rocker);
                 let line = scaled(1.0 / length, rocker);
                 // Moments about C: M3 - |CB| S = 0, S across the rocker on the coupler.
                 let tangential = rest.about(third.arm(pin.own)) / length;
@@ -178,7 +177,7 @@ impl Setting {
     /// Unit vector from O to A, and the length of the crank, m.
     pub(crate) fn crank(&self) -> ([f64; 2], f64) {
         let crank = minus(self.a, self.o);
-        let length = elementary::hypot(crank[0], crank[1]);
+        let length = length(crank);
         (scaled(1.0 / length, crank), length)
     }
 
@@ -188,7 +187,7 @@ impl Setting {
     pub(crate) fn action(&self) -> Action {
         let rod = minus(self.b, self.a);
         let square = dot(self.force, self.force);
-        let reach = FAR * elementary::hypot(rod[0], rod[1]);
+        let reach = FAR * length(rod);
         if square > 0.0 && self.moment_a.abs() <= reach * square.sqrt() {
             let arm = scaled(-self.moment_a / square, perp(self.force));
             return Action { at: plus(self.a, arm), couple: 0.0 };

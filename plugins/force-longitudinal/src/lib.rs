@@ -33,8 +33,7 @@ use assur_group::{GroupError, Wrench};
 use assur_kinematics::{Linkage, Position};
 use assur_words::{Text, text};
 
-use layout::Layout;
-use layout::{Setting, Unknowns};
+use layout::{Layout, Setting, Unknowns};
 
 assur_words::resources!();
 

@@ -4,7 +4,7 @@
 //! crank from -y towards x. Fb > 0 acts against the turning of A towards x, R1 > 0 from O to A, R3 > 0 towards -x on the coupler.
 
 use assur_group::Body;
-use assur_group::plane::{dot, minus};
+use assur_group::plane::{dot, length, minus};
 use assur_kinematics::Linkage;
 use assur_mechanism::GROUND;
 use assur_number::elementary;
@@ -14,8 +14,7 @@ use assur_worksheet::dyad::{along, minus as less};
 use assur_worksheet::{Expr, Point, Sheet, Symbol, WorkedLoad};
 
 use crate::Longitudinal;
-use crate::layout::Setting;
-use crate::layout::{End, Layout};
+use crate::layout::{End, Layout, Setting};
 
 assur_working::inventory::submit! {
     AnalyzerWorking {
@@ -157,6 +156,15 @@ fn applied(sheet: &Sheet, link: usize) -> Vec<WorkedLoad> {
     sheet.loads_on(link).iter().filter(|load| load.applied).cloned().collect()
 }
 
+/// The moment of some loads about a point.
+fn moment_about(point: &Point, loads: &[WorkedLoad]) -> Expr {
+    let of = |load: &WorkedLoad| {
+        let force = load.force.as_ref().map(|(force, at)| at.moment_about(point, force));
+        force.unwrap_or_else(Expr::zero) + &load.moment
+    };
+    loads.iter().map(of).fold(Expr::zero(), |sum, moment| sum + moment)
+}
+
 /// Writes each force on the coupler in the axes of L (eq. 2), and what the loads of the third link put on it at B,
 /// along y.
 fn loads(sheet: &mut Sheet, layout: &Layout, axes: &Axes) -> (Vec<Acts>, Expr) {
@@ -205,11 +213,7 @@ fn third(sheet: &mut Sheet, layout: &Layout, axes: &Axes) -> Expr {
         }
         End::Pin(pin) => {
             let c = sheet.point(GROUND, pin.at);
-            let of = |load: &WorkedLoad| {
-                let force = load.force.as_ref().map(|(force, at)| at.moment_about(&c, force));
-                force.unwrap_or_else(Expr::zero) + &load.moment
-            };
-            let moment = all.iter().map(of).fold(Expr::zero(), |sum, moment| sum + moment);
+            let moment = moment_about(&c, &all);
             // From C to B, along x or against it.
             let reach = &axes.b[0] - along(&axes.x, &c.from(&axes.o, 0));
             sheet.work_unless_zero(symbol, &(moment / reach), "N")
@@ -273,7 +277,7 @@ fn arc(linkage: &Linkage, layout: &Layout) -> Option<Arc> {
     let mut own = own.filter(|contact| contact.center.link == layout.coupler);
     let contact = own.next().filter(|_| own.next().is_none() && matches!(layout.end, End::Guide(_)))?;
     let [n, to_a] = [minus(contact.center.at, layout.a.own), minus(layout.a.own, layout.b.own)];
-    let [r2, b] = [n, to_a].map(|way| elementary::hypot(way[0], way[1]));
+    let [r2, b] = [n, to_a].map(length);
     let beyond = dot(n, to_a) > 0.0 && assur_group::plane::cross(n, to_a).abs() <= PARALLEL * r2 * b;
     beyond.then_some(Arc { r2, b, radius: contact.radius })
 }
@@ -353,11 +357,7 @@ fn reactions(sheet: &mut Sheet, layout: &Layout, axes: &Axes, (found, s): (&Unkn
         (pair, on, sheet.components("R", of, &force, "N"))
     });
     let reactions = reactions.collect();
-    let about = |load: &WorkedLoad| {
-        let force = load.force.as_ref().map(|(force, at)| at.moment_about(&axes.o, force));
-        force.unwrap_or_else(Expr::zero) + &load.moment
-    };
-    let own = on_crank.iter().map(about).fold(Expr::zero(), |sum, moment| sum + moment);
+    let own = moment_about(&axes.o, &on_crank);
     let symbol = Symbol::from("M").of(text!("force-longitudinal-working-of"));
     let balancing = sheet.work(symbol, &-(fb * &axes.r1 + own), "N·m");
     FoundForces { reactions, balancing }

@@ -4,8 +4,7 @@ use std::collections::VecDeque;
 
 use assur_group::{Body, LEAST_HEALTH, Wrench};
 use assur_mechanism::{Balance, GROUND, InputPair, LinkId, Mechanism, PairId, PointId, SlideId};
-use assur_number::elementary;
-use assur_number::elimination::SparseLu;
+use assur_number::{elementary, elimination::SparseLu};
 
 use crate::least_norm::{LeastNorm, SparseRow, of_least_norm};
 

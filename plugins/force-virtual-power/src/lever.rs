@@ -2,10 +2,9 @@
 
 use assur_force::{Acting, Construction, ConstructionStep, Drawing, UnitBalance, VectorKind};
 use assur_group::Body;
-use assur_group::plane::{minus, opposite, perp, scaled};
+use assur_group::plane::{length, minus, opposite, perp, scaled};
 use assur_kinematics::{Linkage, Position};
 use assur_mechanism::{Balance, GROUND, InputPair, LinkId};
-use assur_number::elementary;
 use assur_words::{Text, joined, name, quantity, text};
 
 /// The lever: images of the points turned clockwise by a right angle, then each load in the image of the point where it acts.
@@ -110,7 +109,7 @@ impl Lever<'_> {
             steps.push(force(symbol.clone(), kind, self.image(load.link, at), force_of, note));
         }
         // What is left of the moment of a force about its own point is rounding.
-        let size = self.linkage.structure.scale * elementary::hypot(force_of[0], force_of[1]);
+        let size = self.linkage.structure.scale * length(force_of);
         if couple.abs() > 1e-12 * size {
             steps.extend(self.couple(load.link, couple, kind, symbol, what));
         }
@@ -129,9 +128,7 @@ impl Lever<'_> {
     ) -> Vec<ConstructionStep> {
         let body = &self.bodies[link];
         let places = self.places(link);
-        let far = |from: &Named<'_>, to: &Named<'_>| {
-            elementary::hypot(to.at[0] - from.at[0], to.at[1] - from.at[1])
-        };
+        let far = |from: &Named<'_>, to: &Named<'_>| length(minus(to.at, from.at));
         let from = places.iter().find(|place| place.rests).or(places.first());
         let to = from.and_then(|from| places.iter().max_by(|a, b| far(from, a).total_cmp(&far(from, b))));
         // A link without two points has an arm of 1 m.

@@ -15,8 +15,7 @@ mod working;
 mod tests;
 
 use assur_group::PairSort::{Pin, Slide};
-use assur_group::{Assemblies, Builders, ClosedKind, ForceAngle, GroupPlugin, Number, Pattern, inventory};
-use assur_words::text;
+use assur_group::{ForceAngle, Pattern};
 
 pub use kernel::Prp;
 
@@ -24,24 +23,9 @@ assur_words::resources!();
 
 const PATTERN: Pattern = Pattern { links: 2, inner: &[([0, 1], Pin)], outer: &[(0, Slide), (1, Slide)] };
 
-impl ClosedKind for Prp<f64> {
-    type Form<T: Number> = Prp<T>;
-}
-
-inventory::submit! {
-    GroupPlugin {
-        name: "prp",
-        kind: "PRP",
-        number: 4,
-        crate_name: env!("CARGO_PKG_NAME"),
-        summary: text!("group-prp"),
-        pattern: Some(PATTERN),
-        rank: 10,
-        ways: Assemblies { most: 1, varies: false, words: text!("group-prp.ways") },
-        iterates: false,
-        singular: text!("group-prp.singular"),
-        force_angle: ForceAngle::of_sine(text!("group-prp.angle")),
-        source: text!("group-prp.source"),
-        builders: Builders::in_lanes::<Prp<f64>>(),
+assur_group::dyad! {
+    Prp {
+        name: "prp", kind: "PRP", number: 4, pattern: PATTERN,
+        ways: 1, text: "group-prp", force_angle: ForceAngle::of_sine,
     }
 }

@@ -13,8 +13,7 @@ mod working;
 mod tests;
 
 use assur_group::PairSort::{Pin, Slide};
-use assur_group::{Assemblies, Builders, ClosedKind, ForceAngle, GroupPlugin, Number, Pattern, inventory};
-use assur_words::text;
+use assur_group::{ForceAngle, Pattern};
 
 pub use kernel::Rpp;
 
@@ -22,24 +21,9 @@ assur_words::resources!();
 
 const PATTERN: Pattern = Pattern { links: 2, inner: &[([0, 1], Slide)], outer: &[(0, Pin), (1, Slide)] };
 
-impl ClosedKind for Rpp<f64> {
-    type Form<T: Number> = Rpp<T>;
-}
-
-inventory::submit! {
-    GroupPlugin {
-        name: "rpp",
-        kind: "RPP",
-        number: 5,
-        crate_name: env!("CARGO_PKG_NAME"),
-        summary: text!("group-rpp"),
-        pattern: Some(PATTERN),
-        rank: 10,
-        ways: Assemblies { most: 1, varies: false, words: text!("group-rpp.ways") },
-        iterates: false,
-        singular: text!("group-rpp.singular"),
-        force_angle: ForceAngle::of_sine(text!("group-rpp.angle")),
-        source: text!("group-rpp.source"),
-        builders: Builders::in_lanes::<Rpp<f64>>(),
+assur_group::dyad! {
+    Rpp {
+        name: "rpp", kind: "RPP", number: 5, pattern: PATTERN,
+        ways: 1, text: "group-rpp", force_angle: ForceAngle::of_sine,
     }
 }

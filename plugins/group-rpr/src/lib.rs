@@ -18,8 +18,8 @@ mod working;
 mod tests;
 
 use assur_group::PairSort::{Pin, Slide};
-use assur_group::{Assemblies, Builders, ClosedKind, ForceAngle, GroupPlugin, Number, Pattern, inventory};
-use assur_words::text;
+use assur_group::{ForceAngle, Pattern};
+use assur_words::Text;
 
 pub use kernel::Rpr;
 
@@ -27,28 +27,14 @@ assur_words::resources!();
 
 const PATTERN: Pattern = Pattern { links: 2, inner: &[([0, 1], Slide)], outer: &[(0, Pin), (1, Pin)] };
 
-impl ClosedKind for Rpr<f64> {
-    type Form<T: Number> = Rpr<T>;
+/// The pressure angle between the line of the pins and the guide, with its words.
+const fn pressure_angle(words: Text) -> ForceAngle {
+    ForceAngle { words, of: kernel::pressure_angle, is_pressure: true }
 }
 
-inventory::submit! {
-    GroupPlugin {
-        name: "rpr",
-        kind: "RPR",
-        number: 3,
-        crate_name: env!("CARGO_PKG_NAME"),
-        summary: text!("group-rpr"),
-        pattern: Some(PATTERN),
-        rank: 10,
-        ways: Assemblies { most: 2, varies: false, words: text!("group-rpr.ways") },
-        iterates: false,
-        singular: text!("group-rpr.singular"),
-        force_angle: ForceAngle {
-            words: text!("group-rpr.angle"),
-            of: kernel::pressure_angle,
-            is_pressure: true,
-        },
-        source: text!("group-rpr.source"),
-        builders: Builders::in_lanes::<Rpr<f64>>(),
+assur_group::dyad! {
+    Rpr {
+        name: "rpr", kind: "RPR", number: 3, pattern: PATTERN,
+        ways: 2, text: "group-rpr", force_angle: pressure_angle,
     }
 }

@@ -18,8 +18,7 @@ mod working;
 mod tests;
 
 use assur_group::PairSort::{Pin, Slide};
-use assur_group::{Assemblies, Builders, ClosedKind, ForceAngle, GroupPlugin, Number, Pattern, inventory};
-use assur_words::text;
+use assur_group::{ForceAngle, Pattern};
 
 pub use kernel::Rrp;
 
@@ -27,24 +26,9 @@ assur_words::resources!();
 
 const PATTERN: Pattern = Pattern { links: 2, inner: &[([0, 1], Pin)], outer: &[(0, Pin), (1, Slide)] };
 
-impl ClosedKind for Rrp<f64> {
-    type Form<T: Number> = Rrp<T>;
-}
-
-inventory::submit! {
-    GroupPlugin {
-        name: "rrp",
-        kind: "RRP",
-        number: 2,
-        crate_name: env!("CARGO_PKG_NAME"),
-        summary: text!("group-rrp"),
-        pattern: Some(PATTERN),
-        rank: 10,
-        ways: Assemblies { most: 2, varies: false, words: text!("group-rrp.ways") },
-        iterates: false,
-        singular: text!("group-rrp.singular"),
-        force_angle: ForceAngle::of_cosine(text!("group-rrp.angle")),
-        source: text!("group-rrp.source"),
-        builders: Builders::in_lanes::<Rrp<f64>>(),
+assur_group::dyad! {
+    Rrp {
+        name: "rrp", kind: "RRP", number: 2, pattern: PATTERN,
+        ways: 2, text: "group-rrp", force_angle: ForceAngle::of_cosine,
     }
 }

@@ -17,9 +17,7 @@ mod working;
 #[cfg(test)]
 mod tests;
 
-use assur_group::PairSort::Pin;
-use assur_group::{Assemblies, Builders, ClosedKind, ForceAngle, GroupPlugin, Number, Pattern, inventory};
-use assur_words::text;
+use assur_group::{ForceAngle, PairSort::Pin, Pattern};
 
 pub use kernel::Rrr;
 
@@ -27,24 +25,9 @@ assur_words::resources!();
 
 const PATTERN: Pattern = Pattern { links: 2, inner: &[([0, 1], Pin)], outer: &[(0, Pin), (1, Pin)] };
 
-impl ClosedKind for Rrr<f64> {
-    type Form<T: Number> = Rrr<T>;
-}
-
-inventory::submit! {
-    GroupPlugin {
-        name: "rrr",
-        kind: "RRR",
-        number: 1,
-        crate_name: env!("CARGO_PKG_NAME"),
-        summary: text!("group-rrr"),
-        pattern: Some(PATTERN),
-        rank: 10,
-        ways: Assemblies { most: 2, varies: false, words: text!("group-rrr.ways") },
-        iterates: false,
-        singular: text!("group-rrr.singular"),
-        force_angle: ForceAngle::of_sine(text!("group-rrr.angle")),
-        source: text!("group-rrr.source"),
-        builders: Builders::in_lanes::<Rrr<f64>>(),
+assur_group::dyad! {
+    Rrr {
+        name: "rrr", kind: "RRR", number: 1, pattern: PATTERN,
+        ways: 2, text: "group-rrr", force_angle: ForceAngle::of_sine,
     }
 }

@@ -1,7 +1,6 @@
 //! The working of type 1 by hand.
 
-use assur_group::plane::cross;
-use assur_group::{Body, BuildError, ClosedForm, GroupFrame, inventory};
+use assur_group::{Body, BuildError, ClosedForm, GroupFrame, inventory, plane::cross};
 use assur_words::text;
 use assur_worksheet::dyad::{across, along, minus, opposite, plus};
 use assur_worksheet::{Expr, Point, Rod, Sheet, Symbol, WorkingPlugin};

@@ -10,20 +10,9 @@ use crate::matrix::Inverse;
 use crate::mover::{Hub, Mover};
 
 impl<T: Real> Legged<T> {
-    /// The reactions of a placed group under several sets of loads, which are handed on to the outer bodies.
+    /// The reactions of a placed group under some loads, which are handed on to the outer bodies.
     #[inline(always)]
-    pub(crate) fn balance_all<'f>(
-        &self,
-        bodies: &[Body<T>],
-        mut sets: impl Iterator<Item = Forces<'f, T>>,
-    ) -> Result<(), GroupError> {
-        let lines = self.lines(bodies);
-        let inverse = self.determined(&lines)?;
-        sets.try_for_each(|mut forces| self.balance(bodies, (&lines, &inverse), &mut forces))
-    }
-
-    #[inline(always)]
-    fn balance(
+    pub(crate) fn balance(
         &self,
         bodies: &[Body<T>],
         (lines, inverse): (&Lines<T>, &Inverse<T>),

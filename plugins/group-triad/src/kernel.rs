@@ -2,11 +2,11 @@
 
 use std::any::TypeId;
 
-use assur_group::plane::{minus, vector};
+use assur_group::plane::{length, minus, vector};
 use assur_group::{
     AssurGroup, Body, BuildError, Forces, GroupError, GroupFrame, Mode, Order, Reading, SeenPair, Wrench,
 };
-use assur_number::{Lanes, Real, elementary};
+use assur_number::{Lanes, Real};
 
 use crate::leg::{Leg, Line};
 use crate::matrix::{Inverse, Matrix};
@@ -68,11 +68,7 @@ impl<T: Real> Legged<T> {
         };
         let anchor = legs.first().map_or([T::ZERO; 2], |leg: &Leg<T>| leg.ends()[0]);
         let size = |end: usize, from: [T; 2]| {
-            let far = legs.iter().map(|leg| {
-                let [x, y] = minus(leg.ends()[end], from);
-                elementary::hypot(x.to_f64(), y.to_f64())
-            });
-            let far = far.fold(0.0, f64::max);
+            let far = legs.iter().map(|leg| length(minus(leg.ends()[end], from))).fold(0.0, f64::max);
             if far > 0.0 { far } else { frame.scale }
         };
         let held = |outer: Option<&SeenPair>| outer.map_or(anchor, |seen| vector(seen.pair.places()[0].1));
@@ -88,7 +84,7 @@ impl<T: Real> Legged<T> {
 
     /// Violation of a condition that is rounding where base and plate are, m: far away places are rounded by their distance.
     pub(crate) fn rounding_at(&self, bodies: &[Body<T>]) -> f64 {
-        let [base, plate] = self.core(bodies).map(|body| elementary::hypot(body.x.to_f64(), body.y.to_f64()));
+        let [base, plate] = self.core(bodies).map(|body| length(body.origin()));
         self.rounding * (base.max(plate) / self.frame.scale).max(1.0)
     }
 
@@ -189,34 +185,11 @@ impl<T: Real> Legged<T> {
         Ok(health.abs())
     }
 
-    /// [`Self::complete`] where one position is solved alone.
-    pub(crate) fn lone_complete(
-        &self,
-        bodies: &mut [Body<T>],
-        (lines, health): (&Lines<T>, T),
-        order: Order,
-    ) -> Result<T, GroupError> {
-        self.put_legs(bodies)?;
-        self.lone_differentiate(bodies, lines, order)?;
-        Ok(health.abs())
-    }
-
     /// Places the legs; an error where a place is no number.
     #[inline(always)]
-    fn put_legs(&self, bodies: &mut [Body<T>]) -> Result<(), GroupError> {
+    pub(crate) fn put_legs(&self, bodies: &mut [Body<T>]) -> Result<(), GroupError> {
         self.finish(bodies);
         self.numbers(bodies, [T::ZERO; 3], |leg| leg.x + leg.y)
-    }
-
-    /// [`Self::differentiate`] where one position is solved alone, compiled once for all its callers.
-    #[inline(never)]
-    fn lone_differentiate(
-        &self,
-        bodies: &mut [Body<T>],
-        lines: &Lines<T>,
-        order: Order,
-    ) -> Result<(), GroupError> {
-        self.differentiate(bodies, lines, order)
     }
 
     /// PF1 and PF2 at these lines.
@@ -290,7 +263,7 @@ impl<T: Real> AssurGroup<T> for Legged<T> {
     }
 
     fn derive(&self, bodies: &mut [Body<T>], order: Order) -> Result<(), GroupError> {
-        self.lone_differentiate(bodies, &self.lone_lines(bodies).0, order)
+        self.differentiate(bodies, &self.lone_lines(bodies).0, order)
     }
 
     fn solve(&self, bodies: &mut [Body<T>], way: usize, order: Order) -> Result<T, GroupError> {
@@ -301,15 +274,6 @@ impl<T: Real> AssurGroup<T> for Legged<T> {
         self.lone_lines(bodies).1.abs().least()
     }
 
-    fn reactions(
-        &self,
-        bodies: &[Body<T>],
-        loads: &mut [Wrench<T>],
-        reactions: &mut [Wrench<T>],
-    ) -> Result<(), GroupError> {
-        self.reactions_under(bodies, loads, reactions, 1)
-    }
-
     fn reactions_under(
         &self,
         bodies: &[Body<T>],
@@ -317,11 +281,14 @@ impl<T: Real> AssurGroup<T> for Legged<T> {
         reactions: &mut [Wrench<T>],
         sets: usize,
     ) -> Result<(), GroupError> {
-        let [loaded, pairs] = [loads.len(), reactions.len()].map(|all| (all / sets.max(1)).max(1));
-        let sets = loads.chunks_exact_mut(loaded).zip(reactions.chunks_exact_mut(pairs));
         T::evaluate(
             #[inline(always)]
-            move || self.balance_all(bodies, sets.map(|(loads, reactions)| Forces { loads, reactions })),
+            move || {
+                let lines = self.lines(bodies);
+                let inverse = self.determined(&lines)?;
+                let mut sets = Forces::sets(loads, reactions, sets);
+                sets.try_for_each(|mut forces| self.balance(bodies, (&lines, &inverse), &mut forces))
+            },
         )
     }
 

@@ -9,7 +9,7 @@
 //! | R, P | the pin of the base stays on a line of the plate | across the guide, through the pin |
 //! | P, P | the plate keeps its angle to the base | a moment |
 
-use assur_group::plane::{cross, dot, minus, mirrored, perp, plus, scaled, times};
+use assur_group::plane::{cross, dot, meet, minus, mirrored, perp, plus, scaled, times};
 use assur_group::{Body, BuildError, PinJoint, SeenPair, SlideJoint, motion_at};
 use assur_number::Real;
 use assur_words::text;
@@ -34,7 +34,6 @@ impl<T: Real> Line<T> {
 /// A leg with its lengths.
 #[derive(Debug, Clone)]
 pub(crate) struct Leg<T> {
-    /// The link.
     pub(crate) link: usize,
     /// The bodies at its ends.
     base: usize,
@@ -243,14 +242,6 @@ pub(crate) fn hang<T: Real>(body: &mut Body<T>, order: usize, own: [T; 2], rate:
         body.w2 = rate;
         body.hang_second(arm, motion);
     }
-}
-
-/// The vector with given products with two normals.
-#[inline(always)]
-pub(crate) fn meet<T: Real>(n: [[T; 2]; 2], product: [T; 2]) -> [T; 2] {
-    let inverse = T::ONE / cross(n[0], n[1]);
-    let [a, b] = product;
-    [(a * n[1][1] - b * n[0][1]) * inverse, (b * n[0][0] - a * n[1][0]) * inverse]
 }
 
 /// A vector with the length 1.

@@ -1,9 +1,8 @@
 //! The conditions of three legs on the pose of the plate relative to the base, and all poses that satisfy them.
 
-use assur_group::plane::{cross, dot, minus, opposite, perp, plus, scaled, times};
-use assur_number::{Real, elementary};
+use assur_group::plane::{cross, dot, length, meet, minus, opposite, perp, plus, scaled, times};
+use assur_number::Real;
 
-use crate::leg::meet;
 use crate::trig::{Trig, sampled};
 
 /// A determinant of two lines below this, in parts of its greatest value, is not divided by, nor is it where circles are closer to
@@ -87,14 +86,13 @@ impl<T: Real> Loci<T> {
         let [at, on] = all[0].ends();
         for locus in &all {
             let [other, its] = locus.ends();
-            let length = match *locus {
+            let own = match *locus {
                 Locus::Circle { length, .. } => length,
                 Locus::OnBase { offset, .. } | Locus::OnPlate { offset, .. } => offset.abs(),
                 Locus::Angle { .. } => T::ZERO,
             };
-            let far = |v: [T; 2]| elementary::hypot(v[0].to_f64(), v[1].to_f64());
             if !matches!(locus, Locus::Angle { .. }) {
-                size = size.max(far(minus(other, at))).max(far(minus(its, on))).max(length.to_f64());
+                size = size.max(length(minus(other, at))).max(length(minus(its, on))).max(own.to_f64());
             }
         }
         Self { all, size }

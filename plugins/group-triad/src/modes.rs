@@ -3,9 +3,7 @@
 use assur_group::{Body, GroupError, Mode};
 use assur_number::{Real, elementary};
 
-use crate::kernel::Legged;
-use crate::mover::Mover;
-use crate::order;
+use crate::{kernel::Legged, mover::Mover, order};
 
 /// A mode farther than this from the pose on entry, rad or parts of the size, is another one.
 const FAR: f64 = 0.5;

@@ -9,7 +9,6 @@ use crate::leg::{Line, hang};
 /// A ternary link with its freedom in the absence of the legs.
 #[derive(Debug, Clone)]
 pub(crate) struct Mover<T> {
-    /// The link.
     pub(crate) link: usize,
     pub(crate) freedom: Freedom<T>,
     /// 1 / a typical distance of its joints, 1/m: it makes moments dimensionless.

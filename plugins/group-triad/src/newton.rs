@@ -5,11 +5,10 @@
 
 use std::any::TypeId;
 
-use assur_group::{Body, GroupError, Order};
+use assur_group::{AssurGroup, Body, GroupError, Order};
 use assur_number::{Lanes, ROUNDING, Real};
 
-use crate::kernel::Legged;
-use crate::matrix::Inverse;
+use crate::{kernel::Legged, matrix::Inverse};
 
 /// Most steps from a pose near the wanted one.
 const MOST_STEPS: usize = 12;
@@ -105,19 +104,23 @@ impl<T: Real> Legged<T> {
     fn solve_far(&self, bodies: &mut [Body<T>], way: usize, order: Order) -> Result<T, GroupError> {
         let start = self.core(bodies);
         let polished = self.polish(bodies);
-        if polished.converged && polished.is_near {
+        let is_found = polished.converged && polished.is_near && {
             let (lines, health) = self.lone_lines(bodies);
-            if (health.to_f64() > 0.0) == (way == 0) && lines.open() <= self.rounding_at(bodies) {
-                return self.lone_complete(bodies, (&lines, health), order);
-            }
+            (health.to_f64() > 0.0) == (way == 0) && lines.open() <= self.rounding_at(bodies)
+        };
+        if !is_found {
+            self.put_core(&start, bodies);
+            self.place_far(bodies, &start, way)?;
         }
-        self.put_core(&start, bodies);
-        self.place_far(bodies, &start, way)?;
-        let (lines, health) = self.lone_lines(bodies);
+        let health = self.lone_lines(bodies).1;
         if health.to_f64().is_nan() {
             return Err(GroupError::Singular { health: f64::NAN });
         }
-        self.lone_complete(bodies, (&lines, health), order)
+        self.put_legs(bodies)?;
+        if order > Order::Place {
+            self.derive(bodies, order)?;
+        }
+        Ok(health.abs())
     }
 
     /// One step: its size in rad and parts of the size of the links.

@@ -2,13 +2,11 @@
 
 use std::f64::consts::PI;
 
-use assur_group::plane::{dot, minus};
+use assur_group::plane::{dot, length, minus};
 use assur_group::{AssurGroup, Body, SlideJoint};
 use assur_number::{Real, elementary};
 
-use crate::kernel::Legged;
-use crate::leg::Hold;
-use crate::mover::Freedom;
+use crate::{kernel::Legged, leg::Hold, mover::Freedom};
 
 /// Directions that differ by less than this are one that the pairs give.
 const SAME: f64 = 1e-9;
@@ -50,10 +48,7 @@ fn displacement<T: Real>(slide: &SlideJoint<T>, bodies: &[Body<T>]) -> f64 {
 
 /// Sorts by the angle, in (-pi, pi]; where all have the same, by the displacement.
 pub(crate) fn sort<M>(modes: &mut [(Key, M)]) {
-    let apart = |one: &Key, other: &Key| {
-        let [x, y] = minus(one.direction, other.direction);
-        elementary::hypot(x, y)
-    };
+    let apart = |one: &Key, other: &Key| length(minus(one.direction, other.direction));
     let is_given = modes.windows(2).all(|two| apart(&two[0].0, &two[1].0) < SAME);
     let angle = |key: &Key| {
         let angle = elementary::atan2(key.direction[1], key.direction[0]);

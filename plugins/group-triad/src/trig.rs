@@ -6,11 +6,9 @@
 //! one or none by its extreme value too. Other arcs are halved. So no zero is missed, and the number is certain up to
 //! the rounding of the coefficients, whose bound says where two zeros can't be told from none.
 
-use std::convert::Infallible;
-use std::f64::consts::TAU;
+use std::{convert::Infallible, f64::consts::TAU};
 
-use assur_number::search::try_newton_root;
-use assur_number::{Real, elementary};
+use assur_number::{Real, elementary, search::try_newton_root};
 
 /// Number of samples: more than the 7 coefficients need, so that their rounding is averaged.
 pub(crate) const SAMPLES: usize = 16;

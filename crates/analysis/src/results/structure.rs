@@ -108,7 +108,7 @@ fn groups(linkage: &Linkage) -> Vec<GroupReport> {
     let mut position = linkage.position();
     let is_placed = linkage.solve_index(0, Order::Place, &mut position).is_ok();
     let modes = |index: usize| {
-        let is_known = is_placed && linkage.chain.is_needed(index);
+        let is_known = is_placed && linkage.chain.needed[index];
         is_known.then(|| linkage.modes(index, &position).ok().flatten()).flatten()
     };
     (0..linkage.structure.groups.len()).map(|index| group(linkage, index, modes(index))).collect()

@@ -4,7 +4,6 @@ use assur_force::{Cause, LoadState};
 use assur_group::Order;
 use assur_mechanism::{Contact, LoadId, Name};
 use assur_number::{ROUNDING, elementary};
-use assur_structure::name_of;
 use assur_words::{Text, number, text};
 
 use super::Listed;
@@ -22,7 +21,7 @@ impl Calculation {
         let mut notes = Vec::new();
         for bearing in &frictions.bearings {
             let named = |link: usize| Text::from(&mechanism.links[link].name);
-            let (pair, link, on) = (name_of(mechanism, bearing.pair), named(bearing.link), named(bearing.on));
+            let (pair, link, on) = (mechanism.pair_name(bearing.pair), named(bearing.link), named(bearing.on));
             if bearing.rests() {
                 notes.push(text!("analysis-friction-rests", pair, link, on));
                 continue;

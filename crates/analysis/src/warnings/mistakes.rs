@@ -62,7 +62,7 @@ impl Calculation {
         };
         let mut warnings = Vec::new();
         for (group, kernel) in
-            linkage.groups().iter().enumerate().filter(|(group, _)| linkage.chain.is_needed(*group))
+            linkage.groups().iter().enumerate().filter(|(group, _)| linkage.chain.needed[*group])
         {
             let links = &kernel.frame().links;
             if kernel.ways() < 2 || is_hinted(group, links) {
@@ -100,7 +100,7 @@ impl Calculation {
         let groups =
             || self.linkage.groups().iter().enumerate().map(|(group, kernel)| (group, kernel.frame()));
         let is_placed = |link: usize| {
-            groups().all(|(group, frame)| self.linkage.chain.is_needed(group) || !frame.links.contains(&link))
+            groups().all(|(group, frame)| self.linkage.chain.needed[group] || !frame.links.contains(&link))
         };
         let missed = mechanism.assembly.iter().filter_map(|&(point, wanted)| {
             let (place, name) = (mechanism.points[point].places.first()?, &mechanism.points[point].name);

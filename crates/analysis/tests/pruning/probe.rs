@@ -90,14 +90,15 @@ impl<T: Number> AssurGroup<T> for Probe<T> {
         self.inner.health(bodies)
     }
 
-    fn reactions(
+    fn reactions_under(
         &self,
         bodies: &[Body<T>],
         loads: &mut [Wrench<T>],
         reactions: &mut [Wrench<T>],
+        sets: usize,
     ) -> Result<(), GroupError> {
         self.calls.reactions.fetch_add(Self::POSITIONS, Relaxed);
-        self.inner.reactions(bodies, loads, reactions)
+        self.inner.reactions_under(bodies, loads, reactions, sets)
     }
 }
 

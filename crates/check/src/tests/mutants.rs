@@ -89,14 +89,15 @@ impl AssurGroup<f64> for Mutant {
         Ok(health)
     }
 
-    fn reactions(
+    fn reactions_under(
         &self,
         bodies: &[Body<f64>],
         loads: &mut [Wrench<f64>],
         reactions: &mut [Wrench<f64>],
+        sets: usize,
     ) -> Result<(), GroupError> {
         let before = loads.to_vec();
-        self.sound.reactions(bodies, loads, reactions)?;
+        self.sound.reactions_under(bodies, loads, reactions, sets)?;
         if self.slip.keeps {
             loads.copy_from_slice(&before);
         }

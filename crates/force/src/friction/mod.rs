@@ -9,11 +9,8 @@ use assur_mechanism::{Place, Surfaces};
 use assur_number::Real;
 use assur_words::Text;
 
-use crate::breaks::cut;
-use crate::choice::Selections;
 use crate::loads::{Action, PointForce, Shoe};
-use crate::state::Selection;
-use crate::{LoadState, Loads, Piece, Side};
+use crate::{LoadState, Loads, Piece, Side, breaks::cut, choice::Selections, state::Selection};
 
 mod bearing;
 mod coupling;
@@ -244,8 +241,7 @@ impl Loads {
     /// The speed of the input by which powers of friction are counted: 0 at rest in a motion; without a motion, 1 along the
     /// direction of the input.
     pub fn speed_of_friction(&self, state: &LoadState, moves: bool) -> f64 {
-        let direction = self.direction();
-        if moves { state.speed } else { direction }
+        if moves { state.speed } else { self.direction() }
     }
 }
 

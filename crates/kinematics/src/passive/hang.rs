@@ -1,6 +1,6 @@
 //! Places a passive link by its pairs with links that are placed before it.
 
-use assur_group::plane::{cross, dot, minus, perp, plus, scaled, times};
+use assur_group::plane::{cross, dot, length, meet, minus, perp, plus, scaled, times};
 use assur_group::{Body, GroupFrame, Order, PinJoint, SlideJoint};
 use assur_number::{Real, elementary};
 
@@ -35,10 +35,7 @@ impl<T: Real> Hanging<T> {
         let by = match (&guides[..], &pins[..]) {
             ([guide, ..], [pin, ..]) => By::Guided(*guide, *pin),
             ([], [first, others @ ..]) => {
-                let apart = |pin: &PinJoint<T>| {
-                    let [x, y] = minus(pin.own, first.own).map(Real::to_f64);
-                    elementary::hypot(x, y)
-                };
+                let apart = |pin: &PinJoint<T>| length(minus(pin.own, first.own));
                 let far = others.iter().max_by(|a, b| apart(a).total_cmp(&apart(b)));
                 By::Pins([*first, *far.filter(|far| apart(far) > 0.0)?])
             }
@@ -92,15 +89,9 @@ impl<T: Real> Hanging<T> {
 fn by_guides<T: Real>(guides: &[SlideJoint<T>; 2], bodies: &[Body<T>], body: &mut Body<T>, order: Order) {
     [body.c, body.s] = guides[0].carried(bodies, guides[0].turn);
     let normals = guides.map(|guide| perp(guide.guide(bodies)));
-    // n1 x = r1, n2 x = r2.
-    let meet = |right: [T; 2]| {
-        let by = T::ONE / cross(normals[0], normals[1]);
-        let [[a, b], [c, d]] = normals;
-        [(right[0] * d - right[1] * b) * by, (right[1] * a - right[0] * c) * by]
-    };
     let arms = guides.map(|guide| body.arm(guide.own));
     let place = |k: usize| dot(normals[k], minus(bodies[guides[k].body].point(guides[k].through), arms[k]));
-    [body.x, body.y] = meet([place(0), place(1)]);
+    [body.x, body.y] = meet(normals, [place(0), place(1)]);
     if order < Order::First {
         return;
     }
@@ -110,14 +101,14 @@ fn by_guides<T: Real>(guides: &[SlideJoint<T>; 2], bodies: &[Body<T>], body: &mu
     let under = [0, 1].map(|k| minus(plus([body.x, body.y], arms[k]), carriers[k].origin()));
     let first =
         |k: usize| dot(normals[k], minus(carriers[k].first(under[k]), scaled(body.w1, perp(arms[k]))));
-    [body.x1, body.y1] = meet([first(0), first(1)]);
+    [body.x1, body.y1] = meet(normals, [first(0), first(1)]);
     let second = |k: usize| {
         let relative = minus(body.first(arms[k]), carriers[k].first(under[k]));
         let along = cross(relative, normals[k]);
         let own = minus(scaled(body.w2, perp(arms[k])), scaled(body.w1 * body.w1, arms[k]));
         dot(normals[k], minus(carriers[k].second(under[k]), own)) + (carriers[k].w1 * along).twice()
     };
-    [body.x2, body.y2] = meet([second(0), second(1)]);
+    [body.x2, body.y2] = meet(normals, [second(0), second(1)]);
 }
 
 /// PF1 and PF2 of a pin.

@@ -2,14 +2,12 @@
 
 use assur_group::{Body, Order, Pair, PairGeometry};
 use assur_mechanism::{GROUND, Key, Mechanism, PairId, Range};
-use assur_number::elementary;
-use assur_number::search::least;
+use assur_number::{elementary, search::least};
 use assur_structure::{NamedPair, Passive, PassivePart, Structure};
 use assur_words::Text;
 use serde::Serialize;
 
-use crate::passive::hang::Hanging;
-use crate::{Linkage, Position};
+use crate::{Linkage, Position, passive::hang::Hanging};
 
 /// Places over the cycle at which a misfit is looked for before it is refined.
 const SAMPLES: usize = 240;
@@ -263,7 +261,6 @@ fn lengths(mechanism: &Mechanism, structure: &Structure, passive: &Passive, pair
 }
 
 impl Length {
-    /// The number in a mechanism.
     fn of(self, mechanism: &mut Mechanism) -> Option<&mut f64> {
         Some(match self {
             Self::Point(point, link, axis) => {
@@ -277,7 +274,6 @@ impl Length {
         })
     }
 
-    /// Its key in the scene.
     fn key(self, mechanism: &Mechanism) -> Key {
         let slide = |slide: usize| Key::of("slide").at(&mechanism.slides[slide].name);
         match self {

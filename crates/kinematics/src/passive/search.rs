@@ -6,9 +6,8 @@ use assur_number::elementary;
 use assur_structure::{Excess, PassivePart, Structure};
 use assur_words::{Text, millimeters, text};
 
-use crate::Linkage;
-use crate::passive::hang::Hanging;
 use crate::ways::{END_ROUNDING, Transition};
+use crate::{Linkage, passive::hang::Hanging};
 
 /// Most surplus constraints that are treated.
 const MOST_SURPLUS: usize = 1000;

@@ -37,8 +37,9 @@ impl<T: Real> SparseLu<T> {
             pivots.add(step.pivot);
             steps.push(step);
         }
-        let health = if steps.len() == count { pivots.ratio() } else { 0.0 };
-        let is_positive = is_positive(&steps);
+        let is_whole = steps.len() == count;
+        let health = if is_whole { pivots.ratio() } else { 0.0 };
+        let is_positive = is_whole && is_positive(&steps);
         Self { steps, factored: Factored { health, is_positive } }
     }
 
@@ -175,27 +176,19 @@ fn subtract<T: Real>(
     }
 }
 
-/// The sign of the determinant: that of the pivots, and that of the order in which they were taken.
+/// The sign of the determinant of a regular matrix: that of the pivots, and that of the order in which they were taken.
 fn is_positive<T: Real>(steps: &[Step<T>]) -> bool {
-    let mut to = vec![0; steps.len()];
+    let mut column_of = vec![0; steps.len()];
     for step in steps {
-        if step.row < to.len() {
-            to[step.row] = step.column;
+        column_of[step.row] = step.column;
+    }
+    let mut is_even = steps.iter().filter(|step| step.pivot.to_f64() < 0.0).count() % 2 == 0;
+    for row in 0..column_of.len() {
+        while column_of[row] != row {
+            let column = column_of[row];
+            column_of.swap(row, column);
+            is_even = !is_even;
         }
     }
-    let mut seen = vec![false; to.len()];
-    let mut is_even = true;
-    for start in 0..to.len() {
-        let mut next = start;
-        let mut length = 0;
-        while next < to.len() && !seen[next] {
-            seen[next] = true;
-            next = to[next];
-            length += 1;
-        }
-        // A cycle of even length is an odd permutation.
-        is_even ^= length > 0 && length % 2 == 0;
-    }
-    let negative = steps.iter().filter(|step| step.pivot.to_f64() < 0.0).count();
-    is_even == (negative % 2 == 0)
+    is_even
 }

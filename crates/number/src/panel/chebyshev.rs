@@ -1,8 +1,7 @@
 //! Chebyshev polynomials on [-1, 1]: fit, value, integral; for methods that advance in panels of the coordinate or of
 //! the speed.
 
-use std::f64::consts::PI;
-use std::sync::LazyLock;
+use std::{array::from_fn, f64::consts::PI, sync::LazyLock};
 
 use crate::elementary;
 
@@ -32,26 +31,23 @@ pub static INSIDE: LazyLock<Basis> = LazyLock::new(Basis::inside);
 impl Basis {
     /// Nodes with both ends (extrema of the last polynomial): panels share their ends.
     fn with_ends() -> Self {
-        let n = (NODES - 1) as f64;
-        let angle = |j: usize| PI * (1.0 - j as f64 / n);
-        let nodes = std::array::from_fn(|j| elementary::cos(angle(j)));
-        let half = |j: usize| if j == 0 || j == NODES - 1 { 0.5 } else { 1.0 };
-        let table = std::array::from_fn(|k| {
-            std::array::from_fn(|j| 2.0 / n * half(k) * half(j) * elementary::cos(k as f64 * angle(j)))
-        });
-        Self { nodes, table }
+        let half = |k: usize| if k == 0 || k == NODES - 1 { 0.5 } else { 1.0 };
+        Self::of(NODES - 1, 0.0, |k, j| half(k) * half(j))
     }
 
     /// Nodes inside (zeros of the polynomial after the last): for integrands that are 0/0 at an end.
     fn inside() -> Self {
-        let n = NODES as f64;
-        let angle = |j: usize| PI * (1.0 - (j as f64 + 0.5) / n);
-        let nodes = std::array::from_fn(|j| elementary::cos(angle(j)));
-        let table = std::array::from_fn(|k| {
-            let half = if k == 0 { 0.5 } else { 1.0 };
-            std::array::from_fn(|j| 2.0 / n * half * elementary::cos(k as f64 * angle(j)))
-        });
-        Self { nodes, table }
+        Self::of(NODES, 0.5, |k, _| if k == 0 { 0.5 } else { 1.0 })
+    }
+
+    /// The basis of nodes at equal angles, in steps of 1/`parts` of pi and the first so many of them away from the end; `half` halves the
+    /// terms that sums count twice, by polynomial and node.
+    fn of(parts: usize, first: f64, half: impl Fn(usize, usize) -> f64) -> Self {
+        let n = parts as f64;
+        let angle = |j: usize| PI * (1.0 - (j as f64 + first) / n);
+        let entry = |k: usize, j: usize| 2.0 / n * half(k, j) * elementary::cos(k as f64 * angle(j));
+        let table = from_fn(|k| from_fn(|j| entry(k, j)));
+        Self { nodes: from_fn(|j| elementary::cos(angle(j))), table }
     }
 
     /// Coefficients of the polynomial through these values at the nodes.

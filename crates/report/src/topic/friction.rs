@@ -2,7 +2,6 @@
 
 use assur_analysis::results::{FrictionCycle, Owner, Quantity};
 use assur_book::{Column, Document, Fact, Group, Table, Unit, catalogue, row};
-use assur_structure::name_of;
 use assur_words::{Text, joined, text};
 
 use super::{Source, Values};
@@ -78,7 +77,7 @@ fn losses(source: &Source<'_>, cycle: &FrictionCycle, page: &mut Document) {
     let pairs = source.mechanism.frictions.iter().zip(cycle.friction_work.values());
     for (friction, work) in pairs {
         let Some(work) = work else { return };
-        table.row(row![joined("", [Text::from(name_of(source.mechanism, friction.pair))]), *work]);
+        table.row(row![joined("", [Text::from(source.mechanism.pair_name(friction.pair))]), *work]);
     }
     page.table(table);
 }

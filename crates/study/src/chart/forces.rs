@@ -192,7 +192,7 @@ pub(crate) fn solve<T: Number>(
     }
     group_by_group(linkage, groups, bodies, own, out, |group, bodies, loads, pairs| {
         if generally {
-            reactions_generally(group.frame(), bodies, loads, pairs)
+            reactions_generally(group.frame(), bodies, loads, pairs, 1)
         } else {
             group.reactions(bodies, loads, pairs)
         }

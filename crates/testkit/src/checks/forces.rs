@@ -33,7 +33,7 @@ fn parts(wrench: &Wrench<f64>) -> [f64; 3] {
 fn general(case: &Case, bodies: &[Body<f64>], answer: &Answer, health: f64) -> Result<(), Fault> {
     let mut loads = answer.given.clone();
     let mut reactions = vec![Wrench::ZERO; answer.reactions.len()];
-    case.called("reactions", reactions_generally(&case.sample.frame, bodies, &mut loads, &mut reactions))?;
+    case.called("reactions", reactions_generally(&case.sample.frame, bodies, &mut loads, &mut reactions, 1))?;
     for (what, ours, theirs) in
         [("a reaction", &answer.reactions, &reactions), ("a load handed on", &answer.loads, &loads)]
     {

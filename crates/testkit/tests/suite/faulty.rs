@@ -80,13 +80,14 @@ impl<T: Real, const MISTAKE: u8> AssurGroup<T> for Faulty<T, MISTAKE> {
         }
     }
 
-    fn reactions(
+    fn reactions_under(
         &self,
         bodies: &[Body<T>],
         loads: &mut [Wrench<T>],
         reactions: &mut [Wrench<T>],
+        sets: usize,
     ) -> Result<(), GroupError> {
-        self.0.reactions(bodies, loads, reactions)?;
+        self.0.reactions_under(bodies, loads, reactions, sets)?;
         let outer = self.frame().outer[0];
         match MISTAKE {
             REACTION => reactions[self.frame().inner[0].id].fx += T::from_f64(1e-8),

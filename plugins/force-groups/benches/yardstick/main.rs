@@ -180,7 +180,7 @@ fn compare(six_bar: &Subject, andrews: &Subject) {
         for (point, on, wanted) in pins.into_iter().chain([("C", "rocker", found.on_rocker)]) {
             let joint = joints
                 .iter()
-                .position(|joint| assur_structure::name_of(&six_bar.linkage.mechanism, joint.id) == point);
+                .position(|joint| six_bar.linkage.mechanism.pair_name(joint.id) == point);
             let force = force(joint.expect("a pin"), on);
             near(force[0], wanted[0], 1e4);
             near(force[1], wanted[1], 1e4);

@@ -1,9 +1,14 @@
-use assur_force::{Construction, Drawing, ForceAnalyzer, LoadState, Loads};
+use assur_force::{Construction, ConstructionStep, Drawing, ForceAnalyzer, LoadState, Loads};
 use assur_group::plane::{cross, dot, minus, plus};
 use assur_kinematics::Linkage;
 
 use super::{compile, fixture, loaded};
 use crate::Longitudinal;
+
+/// The step of this short name in English in a drawing.
+fn step<'a>(drawn: &'a Construction, drawing: Drawing, name: &str) -> Option<&'a ConstructionStep> {
+    drawn.steps.iter().find(|step| step.drawing == drawing && step.name.to_string() == name)
+}
 
 const STABLE: Longitudinal = Longitudinal::Stable;
 
@@ -15,7 +20,7 @@ fn drawn(linkage: &Linkage, q: f64) -> Construction {
 }
 
 fn vector(drawn: &Construction, drawing: Drawing, name: &str) -> [f64; 2] {
-    drawn.step(drawing, name).unwrap_or_else(|| panic!("{name}")).vector
+    step(drawn, drawing, name).unwrap_or_else(|| panic!("{name}")).vector
 }
 
 fn length(v: [f64; 2]) -> f64 {
@@ -34,7 +39,7 @@ fn the_polygon_closes_in_the_pole() {
             assert!(length(closed) <= 1e-10 * size);
             let split = minus(side("RP"), plus(side("R1"), side("R3")));
             assert!(length(split) <= 1e-10 * length(side("RP")), "{name} {index}");
-            let last = drawn.step(Drawing::Polygon, "R3").unwrap();
+            let last = step(&drawn, Drawing::Polygon, "R3").unwrap();
             assert!(length(plus(last.start, last.vector)) <= 1e-10 * length(side("RP")));
         }
     }
@@ -61,7 +66,7 @@ fn the_pole_is_the_instant_center_and_k_the_contact() {
     let linkage = compile(&fixture("press.toml"));
     let q = linkage.mechanism.input.coordinate(5);
     let drawn = drawn(&linkage, q);
-    let pole = drawn.step(Drawing::Mechanism, "P").unwrap().start;
+    let pole = step(&drawn, Drawing::Mechanism, "P").unwrap().start;
     assert!(length(minus(drawn.corner, pole)) < 1e-15);
     let (position, _) = loaded(&linkage, q);
     let rod = &position.bodies[linkage.mechanism.link("rod").unwrap()];
@@ -70,7 +75,7 @@ fn the_pole_is_the_instant_center_and_k_the_contact() {
     let angle = 4.0_f64.to_radians();
     let center = rod.point([-0.64, 0.0]);
     let contact = [center[0] - 0.75 * angle.sin(), center[1] - 0.75 * angle.cos()];
-    let k = drawn.step(Drawing::Mechanism, "K").unwrap().start;
+    let k = step(&drawn, Drawing::Mechanism, "K").unwrap().start;
     assert!(length(minus(k, contact)) < 1e-15);
 }
 
@@ -81,9 +86,9 @@ fn a_pole_at_infinity_is_a_direction() {
         "positions = 4",
     );
     let drawn = drawn(&compile(&text), 0.0);
-    assert!(drawn.step(Drawing::Mechanism, "P").is_none());
+    assert!(step(&drawn, Drawing::Mechanism, "P").is_none());
     assert_eq!(
-        drawn.step(Drawing::Mechanism, "OP").unwrap().note.to_string(),
+        step(&drawn, Drawing::Mechanism, "OP").unwrap().note.to_string(),
         "the line of the crank; it is parallel to the other line, so that the pole P is at infinity"
     );
     let part = |name| vector(&drawn, Drawing::Mechanism, name);
@@ -138,7 +143,7 @@ fn the_parallels_end_where_the_construction_says() {
         let linkage = compile(&fixture(name));
         for index in 0..linkage.mechanism.input.positions {
             let drawn = drawn(&linkage, linkage.mechanism.input.coordinate(index));
-            let of = |name| drawn.step(Drawing::Mechanism, name).unwrap();
+            let of = |name| step(&drawn, Drawing::Mechanism, name).unwrap();
             let [force, part] = ["F", "FA"].map(|name| of(name).vector);
             let least = 1e-9 * length(force);
             // The parallelogram at K: from the end of F to the ends of both parts.
@@ -166,9 +171,9 @@ fn the_line_to_the_pole_is_the_velocity_analog_of_k() {
     let drawn = drawn(&linkage, q);
     let (position, _) = loaded(&linkage, q);
     let rod = &position.bodies[linkage.mechanism.link("rod").unwrap()];
-    let k = drawn.step(Drawing::Mechanism, "K").unwrap().start;
+    let k = step(&drawn, Drawing::Mechanism, "K").unwrap().start;
     let velocity = length(rod.first(minus(k, [rod.x, rod.y])));
-    let told = drawn.step(Drawing::Mechanism, "KP").unwrap().note.to_string();
+    let told = step(&drawn, Drawing::Mechanism, "KP").unwrap().note.to_string();
     assert!(told.contains(&format!("{:.6}", velocity / 0.04)), "{told} {velocity}");
 }
 

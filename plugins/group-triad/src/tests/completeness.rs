@@ -1,6 +1,6 @@
 //! The modes are all there are: every root that Newton's method on the pairs finds from many starts is among them.
 
-use assur_group::{Body, GroupFrame, GroupPlugin, PairGeometry, groups, kernel_of, place_by_newton};
+use assur_group::{Body, GroupFrame, GroupPlugin, Number, PairGeometry, groups, place_by_newton};
 use assur_testkit::{Rng, random_groups};
 
 /// Starts of Newton's method for each group.
@@ -65,7 +65,7 @@ fn no_mode_is_missing() {
     for plugin in kinds() {
         let pattern = plugin.pattern.unwrap();
         for (frame, built) in random_groups(&pattern, 0..GROUPS) {
-            let kernel = kernel_of::<f64>(plugin, &frame).unwrap();
+            let kernel = f64::build(&plugin.builders, &frame).unwrap();
             let modes = kernel.modes(&built).unwrap().unwrap();
             assert!(modes.len() <= plugin.ways.most, "{}: {} modes", plugin.name, modes.len());
             let seen = most_seen.entry(plugin.name).or_insert(0);

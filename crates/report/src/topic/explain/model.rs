@@ -6,7 +6,6 @@ use assur_mechanism::{
     MotorChoice, Over, Surfaces, Torque, Value,
 };
 use assur_motor::find_motor;
-use assur_structure::name_of;
 use assur_words::{Text, list as listed, number, quantity, text};
 
 use super::{links, remark};
@@ -155,7 +154,7 @@ fn drive_remarks(drive: &Drive) -> Vec<Text> {
 /// The dry friction of a pair.
 fn friction_of_pair(mechanism: &Mechanism, friction: &Friction) -> Text {
     let length = |length: f64| quantity((1e9 * length).round() / 1e6, "mm");
-    let pair = Text::from(name_of(mechanism, friction.pair));
+    let pair = Text::from(mechanism.pair_name(friction.pair));
     let coefficient = number(friction.coefficient);
     let how = match friction.surfaces {
         Surfaces::Journal { radius, owner } => {

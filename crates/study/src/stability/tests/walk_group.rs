@@ -2,7 +2,7 @@
 
 use assur_check::Finding;
 use assur_group::{
-    AssurGroup, Body, GroupError, GroupFrame, Order, Wrench, derive_generally, kernel_of, reactions_generally,
+    AssurGroup, Body, GroupError, GroupFrame, Number, Order, Wrench, derive_generally, reactions_generally,
 };
 use assur_number::{Dd, Real};
 use assur_structure::Group;
@@ -70,7 +70,7 @@ fn step(
 ) {
     let Some((frame, bodies)) = isolated.posed(side, distance) else { return };
     let (Ok(double), Ok(extended)) =
-        (kernel_of::<f64>(group.plugin, &frame), kernel_of::<Dd>(group.plugin, &frame))
+        (f64::build(&group.plugin.builders, &frame), Dd::build(&group.plugin.builders, &frame))
     else {
         return;
     };
@@ -206,7 +206,7 @@ impl Place<'_> {
         let mut bodies = self.bodies;
         let Ok(_) = kernel.place(&mut bodies, way) else { return };
         let mut pairs = [Wrench::ZERO; 3];
-        let forces = reactions_generally(self.frame, &bodies, &mut loads(self.size), &mut pairs)
+        let forces = reactions_generally(self.frame, &bodies, &mut loads(self.size), &mut pairs, 1)
             .map(|()| reactions(&pairs, &reference.pairs, self.size))
             .map_err(|error| self.refused(error));
         let derived = derive_generally(self.frame, &mut bodies, Order::Second);

@@ -8,7 +8,7 @@ use assur_testkit::specimen::Recipe;
 use crate::first::first_ways;
 use crate::follow::by_samples;
 use crate::wide::Extended;
-use crate::{Chain, regular::turns_regularly};
+use crate::{Chain, enclosures::turns_regularly};
 
 /// Whether a turn is proved to be regular; then the samples must have no event.
 fn proved(mechanism: &Mechanism) -> bool {
@@ -27,7 +27,7 @@ fn proved(mechanism: &Mechanism) -> bool {
     assert!(found.range.is_some_and(|range| range.full) && found.ways.are_constant());
     assert!(found.guesses.is_none() && found.first_failure.is_none());
     assert_eq!(found.ways.at(1.0), first);
-    assert_eq!(found.ways.period(), Some(std::f64::consts::TAU));
+    assert_eq!(found.ways.period, Some(std::f64::consts::TAU));
     true
 }
 
