@@ -86,9 +86,11 @@ impl Document {
         }
     }
 
-    /// A figure that does not move; nothing where there is none.
-    pub fn figure(&mut self, figure: Option<Figure>, size: [f64; 2], caption: Text) {
-        self.blocks.extend(figure.map(|figure| Block::Figure { frames: vec![figure], size, caption }));
+    /// A figure that does not move; nothing where it has no panels.
+    pub fn figure(&mut self, figure: Figure, size: [f64; 2], caption: Text) {
+        if !figure.panels.is_empty() {
+            self.blocks.push(Block::Figure { frames: vec![figure], size, caption });
+        }
     }
 }
 

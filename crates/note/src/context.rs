@@ -34,19 +34,19 @@ impl Context<'_> {
         look(self.positions[0])
     }
 
-    pub(super) fn beside(&self, draw: impl Fn(&Look<'_>) -> Figure) -> Option<Figure> {
-        let mut whole: Option<Figure> = None;
+    pub(super) fn beside(&self, draw: impl Fn(&Look<'_>) -> Figure) -> Figure {
+        let (mut panels, mut legend) = (Vec::new(), Vec::new());
         for &position in self.positions {
-            let Some(mut figure) = on_paper(draw(&look(position))) else { continue };
+            let mut figure = on_paper(draw(&look(position)));
             let place = self.place(position);
             let bare = figure.panels.iter_mut().filter(|panel| panel.title.is_empty());
             bare.for_each(|panel| panel.title.clone_from(&place));
-            match &mut whole {
-                Some(whole) => whole.panels.extend(figure.panels),
-                None => whole = Some(figure),
+            if panels.is_empty() {
+                legend = figure.legend;
             }
+            panels.extend(figure.panels);
         }
-        whole.map(|figure| Figure { columns: figure.panels.len().clamp(1, 2), ..figure })
+        Figure { columns: panels.len().clamp(1, 2), panels, legend, ..Figure::default() }
     }
 
     /// `position 6, 45 deg`.
@@ -70,11 +70,10 @@ pub(super) fn look(position: usize) -> Look<'static> {
 }
 
 /// A figure without its title (the caption says what it is) and without what belongs to a position on a screen: the cursor and
-/// the value at it; `None` where nothing is drawn.
-pub(super) fn on_paper(mut figure: Figure) -> Option<Figure> {
+/// the value at it.
+pub(super) fn on_paper(mut figure: Figure) -> Figure {
     figure.panels.iter_mut().for_each(still);
-    figure.title = Text::default();
-    Some(figure).filter(|figure| !figure.panels.is_empty())
+    Figure { title: Text::default(), ..figure }
 }
 
 /// Takes the cursor from a plot, and the value at it; the unit stays in its heading.

@@ -34,7 +34,7 @@ pub(super) fn forces(context: &Context<'_>, page: &mut Document) {
     page.paragraph(text!("note-forces-text", analyzer = name(found.analyzer.clone())));
     let drawn = loads(context);
     let size = [CURVE[0], 25.0 + 35.0 * drawn.rows() as f64];
-    page.figure(Some(drawn).filter(|drawn| !drawn.panels.is_empty()), size, text!("note-loads-drawn"));
+    page.figure(drawn, size, text!("note-loads-drawn"));
     context.tell(page, &[topic::inertia_loads]);
     polygons(context, page);
     construction(context, page);
@@ -51,8 +51,7 @@ fn touching(context: &Context<'_>, page: &mut Document) {
     let panels: Vec<Panel> = found.reactions.iter().filter_map(of).take(MOST_CIRCLES).collect();
     let figure = Figure { panels, columns: 2, ..Figure::default() };
     let size = [CURVE[0], 75.0 * figure.rows() as f64];
-    let caption = text!("note-friction-drawn", place = context.place(position));
-    page.figure(Some(figure).filter(|figure| !figure.panels.is_empty()), size, caption);
+    page.figure(figure, size, text!("note-friction-drawn", place = context.place(position)));
 }
 
 /// The values of the loads that vary over the cycle (S fig. 6), the first ones of many.
@@ -162,17 +161,12 @@ fn construction(context: &Context<'_>, page: &mut Document) {
         let look = Look { step: first + last, ..context.first() };
         let figure = on_paper(plans::figure(context.results, &look, ViewPart::Construction));
         let title = text!("note-construction-stage", last = number(last + 1));
-        panels.extend(
-            figure
-                .into_iter()
-                .flat_map(|figure| figure.panels)
-                .map(|panel| Panel { title: title.clone(), ..panel }),
-        );
+        panels.extend(figure.panels.into_iter().map(|panel| Panel { title: title.clone(), ..panel }));
     }
     let figure = Figure { panels, columns: 2, ..Figure::default() };
     let size = [STAGES[0], STAGES[1] * figure.rows() as f64];
     let caption = text!("note-construction", title = &drawn.title, place);
-    page.figure(Some(figure).filter(|figure| !figure.panels.is_empty()), size, caption);
+    page.figure(figure, size, caption);
     page.table(steps(drawn, text!("note-construction-steps", title = &drawn.title)));
 }
 

@@ -51,7 +51,8 @@ fn task(context: &Context<'_>, page: &mut Document) {
     context.tell(page, &[topic::dimensions, topic::loads_given, topic::motion_given]);
     let results = context.results;
     let frame = |position| on_paper(mechanism::figure(results, &look(position), &[]));
-    let frames: Vec<_> = results.assembled().filter_map(frame).collect();
+    let frames = results.assembled().map(frame).filter(|frame| !frame.panels.is_empty());
+    let frames: Vec<_> = frames.collect();
     let caption = text!("note-mechanism-moving", at = context.place(results.first_position()));
     page.blocks.extend((!frames.is_empty()).then_some(Block::Figure { frames, size: MECHANISM, caption }));
 }
@@ -61,15 +62,15 @@ fn structure(context: &Context<'_>, page: &mut Document) {
     page.heading(text!("report-structure"));
     context.tell(page, &[topic::mobility, topic::pairs, topic::groups]);
     let figure = assembly(context);
-    let size = [PANELS[0], PANELS[1] * figure.as_ref().map_or(1, Figure::rows) as f64];
+    let size = [PANELS[0], PANELS[1] * figure.rows() as f64];
     let caption = text!("note-assembly", place = context.place(context.positions[0]));
     page.figure(figure, size, caption);
 }
 
 /// The input link alone, then with the first group, with the second one, and so on; the new links are marked.
-fn assembly(context: &Context<'_>) -> Option<Figure> {
+fn assembly(context: &Context<'_>) -> Figure {
     let results = context.results;
-    let pose = results.pose(context.positions[0], 0.0)?;
+    let Some(pose) = results.pose(context.positions[0], 0.0) else { return Figure::default() };
     let linkage = &results.linkage;
     let input = linkage.mechanism.input.link;
     let mut hidden: Vec<LinkId> = (1..linkage.mechanism.links.len()).filter(|link| *link != input).collect();
@@ -85,7 +86,7 @@ fn assembly(context: &Context<'_>) -> Option<Figure> {
         panels.push(panel(text!("note-with-group", number = number(index + 1), kind), &group.frame.links));
     }
     let columns = COLUMNS.min(panels.len());
-    Some(Figure { panels, columns, ..Figure::default() })
+    Figure { panels, columns, ..Figure::default() }
 }
 
 /// The mechanism and its plans in the chosen positions, tables of rates, curves of the last quantity.
@@ -117,11 +118,14 @@ fn dynamics(context: &Context<'_>, page: &mut Document) {
     let of_drive = |part| on_paper(regime::drive(results, look, part, 1));
     let facts = topic::regime_facts(&context.found.analysis);
     if facts.is_empty() {
-        let Some(mut figure) = of_motion(ViewPart::Overview) else { return };
+        let mut figure = of_motion(ViewPart::Overview);
+        if figure.panels.is_empty() {
+            return;
+        }
         figure.panels.retain(|panel| !is_zero(panel));
         page.heading(text!("report-motion"));
         reduced_inertia(context, page);
-        page.figure(Some(figure), CURVES, text!("note-motion-curves"));
+        page.figure(figure, CURVES, text!("note-motion-curves"));
         return;
     }
     page.heading(text!("note-dynamics"));
@@ -137,11 +141,8 @@ fn dynamics(context: &Context<'_>, page: &mut Document) {
     page.figure(reduction, LINK, caption);
     context.tell(page, &[topic::iteration, topic::drive]);
     // The last panel repeats the moments.
-    let drive = of_drive(ViewPart::Curves).filter(|figure| figure.panels.len() > 1);
-    let drive = drive.map(|mut figure| {
-        figure.panels.pop();
-        figure
-    });
+    let mut drive = of_drive(ViewPart::Curves);
+    drive.panels.pop();
     page.figure(drive, CURVES, text!("note-characteristic"));
     page.figure(of_drive(ViewPart::Places), PLACES, text!("note-places-drawn"));
 }

@@ -87,15 +87,13 @@ fn balances(
     for count in counts.into_iter().filter(|count| (1..=carriers.len()).contains(count)) {
         let fit = Fit::of(samples, count);
         for criterion in [Criterion::LeastSquares, Criterion::LeastMaximum] {
-            let (products, proof) = match (&fit, criterion) {
-                (Some(fit), Criterion::LeastSquares) => (fit.least_squares(), None),
-                (Some(fit), Criterion::LeastMaximum) => {
-                    let (products, proof) = fit.least_maximum(course)?;
-                    (products, Some(proof))
-                }
-                (None, Criterion::LeastSquares) => (vec![[0.0; 2]; count], None),
-                (None, Criterion::LeastMaximum) => (vec![[0.0; 2]; count], Some(Proof::default())),
+            let is_maximum = criterion == Criterion::LeastMaximum;
+            let (products, proof) = match &fit {
+                None => (vec![[0.0; 2]; count], Proof::default()),
+                Some(fit) if is_maximum => fit.least_maximum(course)?,
+                Some(fit) => (fit.least_squares(), Proof::default()),
             };
+            let proof = is_maximum.then_some(proof);
             let each = products.iter().zip(&carriers);
             let counterweights =
                 each.map(|(product, carrier)| described(linkage, carrier, *product)).collect();

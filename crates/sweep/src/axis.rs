@@ -14,9 +14,7 @@ use crate::{SweepError, Tie, Vary, vary::Range as Ends};
 /// A parameter that was found in the scene.
 #[derive(Debug, Clone)]
 pub(crate) struct Axis {
-    /// Its key.
     pub(crate) key: String,
-    /// Name of its column.
     pub(crate) column: String,
     /// Bytes of the file that are replaced, in one place or several.
     pub(crate) spans: Vec<Range<usize>>,

@@ -201,14 +201,11 @@ impl<'a> Builder<'a> {
             Of::BalancingSize => balancing(Gathered::BalancingSize),
             Of::Reactions => self.joints.iter().flat_map(|joint| self.reactions(joint)).collect(),
             Of::Targets => {
-                let targets = self.layout.targets.iter().enumerate();
-                let prefix = |nth, point| format!("{point}_distance_{}_", nth + 1);
-                let target = targets.map(|(nth, (_, point, _))| Measurand {
-                    prefix: prefix(nth, point),
-                    column: Column::COORDINATE,
-                    source: Source::Nth(nth),
+                let targets = self.layout.targets.iter().enumerate().map(|(nth, (_, point, _))| {
+                    let prefix = format!("{point}_distance_{}_", nth + 1);
+                    Measurand { prefix, column: Column::COORDINATE, source: Source::Nth(nth) }
                 });
-                target.collect()
+                targets.collect()
             }
             Of::Points | Of::Slides | Of::Links | Of::Moving | Of::Parts => {
                 let Wanted { points, slides, links, .. } = &self.wanted;

@@ -26,7 +26,6 @@
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
-mod angles;
 mod axis;
 mod between;
 mod error;

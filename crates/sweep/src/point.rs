@@ -45,7 +45,6 @@ impl<'a> Worker<'a> {
         }
     }
 
-    /// The rows of some points.
     pub(crate) fn rows(&mut self, points: Range<usize>) -> Rows {
         let mut rows = Rows::new(&self.sweep.columns, points.start, points.len());
         for index in points {

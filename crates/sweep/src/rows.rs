@@ -56,7 +56,6 @@ impl Columns {
         Self { names: assur_report::csv::unique(names), parameters: count, has_motor }
     }
 
-    /// Name of a value.
     pub(crate) fn value_name(&self, value: usize) -> &str {
         self.names.get(self.parameters + 3 + value).map_or("", String::as_str)
     }
@@ -181,6 +180,14 @@ impl Rows {
             },
         }
     }
+
+    /// The rows as CSV without a header: comma separated, numbers with all their digits; `ascii`: no character beyond
+    /// ASCII. A line end is the end of a row.
+    pub fn to_csv(&self, ascii: bool) -> Result<String, CsvError> {
+        let names = &self.columns.names;
+        let row = |row| (0..names.len()).map(move |column| self.cell(row, column));
+        rows(names, (0..self.len()).map(row), ascii)
+    }
 }
 
 fn text(text: &str) -> CsvCell<'_> {
@@ -201,16 +208,6 @@ impl Sweep {
         }
         // Parameters are numbers, so there is no quoted comma before the status.
         row.split(',').nth(self.columns.parameters)?.parse().ok()
-    }
-}
-
-impl Rows {
-    /// The rows as CSV without a header: comma separated, numbers with all their digits; `ascii`: no character beyond
-    /// ASCII. A line end is the end of a row.
-    pub fn to_csv(&self, ascii: bool) -> Result<String, CsvError> {
-        let names = &self.columns.names;
-        let row = |row| (0..names.len()).map(move |column| self.cell(row, column));
-        rows(names, (0..self.len()).map(row), ascii)
     }
 }
 

@@ -112,9 +112,7 @@ impl Target {
         };
         read().ok_or_else(|| SweepError::vary(text, text!("sweep-write-target")))
     }
-}
 
-impl Target {
     /// What is said of a place without units that lies far from a mechanism of this size, m.
     pub(crate) fn warning(&self, size: f64) -> Option<(Text, Text)> {
         /// A place so many sizes of the mechanism away was meant in mm.

@@ -74,7 +74,6 @@ fn clean(part: f64) -> f64 {
     if part.abs() < 1e-9 { 0.0 } else { part }
 }
 
-/// The words of a method for the flywheel by its key.
 fn flywheel_method(key: &'static str) -> Text {
     match key {
         "excess-work" => text!("drive-excess-work"),
@@ -86,7 +85,6 @@ fn flywheel_method(key: &'static str) -> Text {
     }
 }
 
-/// The words of a characteristic by its key.
 fn characteristic(kind: CharacteristicKind) -> Text {
     if kind == CharacteristicKind::Kloss { text!("drive-kloss") } else { text!("drive-linear") }
 }

@@ -44,7 +44,6 @@ pub(super) fn has_reactions(table: &Results) -> bool {
     first.is_some_and(|column| table.has(column))
 }
 
-/// The force of a pair on a link.
 pub(super) fn force(pair: PairId, link: LinkId) -> Values {
     Values::of(Quantity::Force, Owner::PairOn(pair, link))
 }

@@ -11,7 +11,6 @@ use super::{Source, Values};
 const WHOLE: &[Part] = &[Part::Whole];
 /// Both projections of a vector.
 const PROJECTIONS: &[Part] = &[Part::X, Part::Y];
-/// Velocity and acceleration.
 const RATES: &[Quantity] = &[Quantity::Velocity, Quantity::Acceleration];
 
 /// Of how many positions the tables show some, where they don't show all.
@@ -42,12 +41,10 @@ pub fn condition(source: &Source<'_>, page: &mut Document) {
 }
 
 impl Source<'_> {
-    /// The owners of a quantity that are links.
     fn links(&self, quantity: Quantity) -> Vec<Owner> {
         self.owners(quantity, |owner| matches!(owner, Owner::Link(_)))
     }
 
-    /// The owners of a quantity that are slides.
     fn slides(&self, quantity: Quantity) -> Vec<Owner> {
         self.owners(quantity, |owner| matches!(owner, Owner::Slide(_)))
     }

@@ -10,7 +10,6 @@
 //!   clock is handed in; nothing else here depends on it but how often a run is repeated.
 
 mod data;
-mod figure;
 mod forces;
 pub(crate) mod friction;
 pub(crate) mod kinematics;
@@ -22,9 +21,8 @@ mod steady;
 pub(crate) mod work;
 
 pub use data::{ChartData, Measurement, Reference, Setting, SettingValue, Stage, csv};
-pub use figure::figure;
 pub(crate) use forces::state;
-pub use page::time;
+pub use page::{figure, time};
 pub use race::{ChartOptions, Progress};
 pub use run::{ChartError, chart};
 

@@ -7,9 +7,9 @@ use assur_check::verdict;
 use assur_words::{Text, joined, list, name, number, quantity, text};
 
 use super::friction::MOST;
+use super::margin;
 use super::report::Stability;
 use super::row::{Comparison, FRICTION};
-use super::{margin, walk};
 
 /// Most failed rows that the conclusion lists.
 const MOST_FAILED: usize = 10;
@@ -99,8 +99,8 @@ impl Stability {
 
     fn walks(&self, page: &mut Document) {
         page.blocks.push(Block::Subheading(text!("stability-walks")));
-        page.paragraph(text!("stability-distance", what = text!(walk::ALONG)));
-        page.paragraph(text!("stability-bound", what = text!(walk::EXPECTED)));
+        page.paragraph(text!("stability-distance", what = text!("stability-along")));
+        page.paragraph(text!("stability-bound", what = text!("stability-expected")));
         if self.rows.iter().any(|row| row.quantity == FRICTION) {
             page.paragraph(text!("stability-friction-walk"));
         }
@@ -148,7 +148,6 @@ impl Stability {
     }
 }
 
-/// A power of ten.
 fn power(number: f64) -> Text {
     assur_words::number(format_args!("{number:.0e}"))
 }

@@ -11,12 +11,6 @@ use super::exact::{Exact, ORDERS, Reference, reactions, size, transfer};
 use super::row::{Comparison, DISTANCES, FACTOR, REACTIONS, accept_without_digits};
 use super::target::Target;
 
-/// What the distance of a row is, by its identity.
-pub(crate) const ALONG: &str = "stability-along";
-
-/// What the bound of a row follows from, by its identity.
-pub(crate) const EXPECTED: &str = "stability-expected";
-
 /// Above this, the product of the error growth over the groups means that no digit remains; the bound stays finite.
 const MOST_GROWTH: f64 = 1e90;
 

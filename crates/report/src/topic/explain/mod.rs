@@ -74,7 +74,6 @@ fn first_of(all: Vec<Text>) -> Text {
     if more > 0 { text!("explain-and-more", names = shown, count = more) } else { shown }
 }
 
-/// Names of links.
 fn links(mechanism: &Mechanism, ids: &[LinkId]) -> Text {
     list(ids.iter().map(|&id| link_name(mechanism, id)))
 }

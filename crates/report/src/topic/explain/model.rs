@@ -151,7 +151,6 @@ fn drive_remarks(drive: &Drive) -> Vec<Text> {
     list
 }
 
-/// The dry friction of a pair.
 fn friction_of_pair(mechanism: &Mechanism, friction: &Friction) -> Text {
     let length = |length: f64| quantity((1e9 * length).round() / 1e6, "mm");
     let pair = Text::from(mechanism.pair_name(friction.pair));

@@ -213,7 +213,7 @@ fn parallel_guides() -> Vec<Comparison> {
 static PARALLEL: Law = Law {
     section: "Along the cycle",
     along: "angle between the guides, rad",
-    expected: crate::stability::walk::EXPECTED,
+    expected: "stability-expected",
 };
 
 /// Mechanisms far from any singular position: differences, turns, scales; turns of a parallelogram also beside its change
