@@ -24,7 +24,7 @@ use assur_mechanism::Mechanism;
 use assur_report::text::Style;
 
 use super::nearest::Grid;
-use super::{Comparison, Stability, stability, walk};
+use super::{Comparison, Stability, stability};
 
 /// What the rows of a section are about, and what is expected of a method there.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
