@@ -175,15 +175,10 @@ fn chosen_step(plans: &Plans, step: usize) -> Option<(&Construction, usize)> {
 
 /// The drawing of the last step with the steps up to it, on the place that all its steps take: the mechanism under the steps in it
 /// and the polygon laid off from its corner, or the lever.
-fn panel_of_steps(
-    results: &Results,
-    look: &Look<'_>,
-    construction: &Construction,
-    last: usize,
-) -> Option<Panel> {
-    let step = construction.steps.get(last)?;
+fn panel_of_steps(results: &Results, look: &Look<'_>, drawn: &Construction, last: usize) -> Option<Panel> {
+    let step = drawn.steps.get(last)?;
     let on_lever = step.drawing == Drawing::Lever;
-    let all = construction_picture(construction, on_lever);
+    let all = construction_picture(drawn, on_lever);
     let mut place = Bounds::around(all.iter().flat_map(|(_, ends)| *ends));
     let mut beneath = Vec::new();
     if !on_lever {
@@ -202,7 +197,7 @@ fn panel_of_steps(
     let made = all.into_iter().take_while(|(number, _)| *number <= last);
     let vectors: Vec<Vector> = made
         .filter_map(|(number, ends)| {
-            let step = &construction.steps[number];
+            let step = &drawn.steps[number];
             let (ink, kind) = match step.kind {
                 VectorKind::Point => (Ink::Trace, Drawn::Point),
                 VectorKind::Line => (Ink::Trace, Drawn::Line),
@@ -216,7 +211,7 @@ fn panel_of_steps(
             Some(Vector { from, to, name, ink, kind })
         })
         .collect();
-    let image = construction.steps.iter().find(|step| step.kind == VectorKind::Absolute);
+    let image = drawn.steps.iter().find(|step| step.kind == VectorKind::Absolute);
     let (unit, symbol) = if on_lever { (image.map_or("m", |step| step.unit), "v") } else { ("m", "l") };
     let mut panel = plots::vectors(Text::default(), &vectors, (unit, symbol), on_lever.then_some(POLE));
     panel.items.splice(0..0, beneath);

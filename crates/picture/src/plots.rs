@@ -12,8 +12,11 @@ use crate::{Found, Look, Series, coordinate_at, coordinate_unit};
 /// Positions that are marked on a curve at most; more of them would hide it.
 const MARKED: usize = 24;
 
+/// How a curve is drawn.
+pub(crate) type Style = (Stroke, Ink);
+
 /// Strokes and inks of several curves, told apart without color.
-pub(crate) const STYLES: [(Stroke, Ink); 6] = [
+pub(crate) const STYLES: [Style; 6] = [
     (Stroke::Solid, Ink::First),
     (Stroke::Dotted, Ink::Third),
     (Stroke::Chain, Ink::Second),
@@ -53,22 +56,17 @@ pub fn over_positions(
         Item::line(points, *stroke, *ink)
     };
     let mut items: Vec<Item> = curves.iter().map(line).collect();
-    let marked = curves
-        .first()
-        .filter(|_| linkage.mechanism.input.positions <= MARKED)
-        .map(|(series, ..)| at_positions(series));
+    let are_few = linkage.mechanism.input.positions <= MARKED;
+    let marked = curves.first().filter(|_| are_few).map(|(series, ..)| at_positions(series));
     items.extend(marked.into_iter().flatten().map(|at| Item::sign(at, Sign::Node, Ink::Title)));
     let values: Vec<f64> = items.iter().flat_map(Item::points).map(|at| at[1]).collect();
     let (floor, unit) = curves.first().map_or((0.0, Text::default()), |(series, ..)| {
         (series.factor * series.floor, unit(series.unit.clone()))
     });
     items.extend(signs);
-    let frame = Frame::Axes {
-        x: coordinate_axis(linkage),
-        y: Axis::around(unit, values, floor),
-        cursor: Some(Cursor { at: coordinate_at(linkage, look.at()), value }),
-    };
-    Panel { title, frame, items }
+    let (x, y) = (coordinate_axis(linkage), Axis::around(unit, values, floor));
+    let cursor = Some(Cursor { at: coordinate_at(linkage, look.at()), value });
+    Panel { title, frame: Frame::Axes { x, y, cursor }, items }
 }
 
 /// At most three courses, each with its name; where there are several, with a number on them. `factor`: from SI to the unit of
