@@ -1,7 +1,7 @@
-//! The reaction of a pair with dry friction as the textbooks draw it ([`FrictionDiagram`]).
+//! The reaction of a pair with dry friction as the textbooks draw it.
 
 use assur_analysis::results::{Column, Owner, Part, Quantity};
-use assur_diagram::FrictionDiagram;
+use assur_diagram::{friction_circle, friction_cone};
 use assur_figure::number::digits;
 use assur_figure::{Bounds, Frame, Ink, Item, Panel, Point, Sign, Stroke};
 use assur_group::Order;
@@ -27,7 +27,7 @@ pub fn beside_friction(found: &Found, position: usize, reaction: &Reaction) -> O
     let whole = Column::of(Quantity::Force, Owner::PairOn(pair, link));
     let part = |part| table.get(row, whole.part(part)).filter(|value| value.is_finite());
     let force = [part(Part::X)?, part(Part::Y)?];
-    let diagram = match (pair, friction.surfaces) {
+    Some(match (pair, friction.surfaces) {
         (PairId::Pin(_), Surfaces::Journal { owner, .. }) => {
             let moment = if mechanism.friction_links(friction).len() > 1 {
                 value(Quantity::FrictionMoment, Owner::PairOn(pair, link))?
@@ -36,7 +36,8 @@ pub fn beside_friction(found: &Found, position: usize, reaction: &Reaction) -> O
                 let sign = if link == owner { -1.0 } else { 1.0 };
                 sign * value(Quantity::FrictionMoment, Owner::Pair(pair))?
             };
-            FrictionDiagram::of_pin(friction, force, moment)?
+            let (radius, lever) = friction_circle(friction, force, moment)?;
+            circle(reaction, radius, force, lever)
         }
         (PairId::Slide(id), _) => {
             let (slide, mut pose) = (&mechanism.slides[id], found.linkage.position());
@@ -44,17 +45,12 @@ pub fn beside_friction(found: &Found, position: usize, reaction: &Reaction) -> O
             let (s, c) = slide.angle.sin_cos();
             let along = pose.bodies[slide.on].turned([c, s]);
             let share = value(Quantity::FrictionForce, Owner::Pair(pair))?;
-            FrictionDiagram::of_slide(friction, force, along, share)?
+            let (angle, normal, on_both_ends) = friction_cone(friction, force, along, share)?;
+            let told = quantity(digits(angle.to_degrees(), 4), "deg");
+            let title = if on_both_ends { "friction-cone-of-ends" } else { "friction-cone" };
+            cone(text!(title, reaction, angle = told), angle, force, (along, normal))
         }
         (PairId::Pin(_), _) => return None,
-    };
-    Some(match diagram {
-        FrictionDiagram::Circle { radius, lever } => circle(reaction, radius, force, lever),
-        FrictionDiagram::Cone { angle, along, normal, on_both_ends } => {
-            let told = quantity(digits(angle.to_degrees(), 4), "deg");
-            let id = if on_both_ends { "friction-cone-of-ends" } else { "friction-cone" };
-            cone(text!(id, reaction, angle = told), angle, force, (along, normal))
-        }
     })
 }
 
