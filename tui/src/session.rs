@@ -211,10 +211,8 @@ fn read(source: &Source, text: &str) -> Result<(Mechanism, Note), Text> {
 
 /// What is probably not meant in a scene, with file, line and column where it has a key.
 fn placed(source: &Source, text: &str, warning: &Warning) -> Text {
-    let errors = warning
-        .key
-        .as_ref()
-        .and_then(|key| assur_scene::fault_at(&source.name(), text, key, Text::default()));
+    let fault = |key| assur_scene::fault_at(&source.name(), text, key, Text::default());
+    let errors = warning.key.as_ref().and_then(fault);
     let place = errors.iter().flat_map(|found| &found.errors).map(|at| format!(":{}:{}", at.line, at.column));
     let place = name(source.name() + &place.collect::<String>());
     text!("cli-mistake", place, text = &warning.text)

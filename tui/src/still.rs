@@ -180,14 +180,9 @@ fn choose(
 }
 
 /// A step of the construction that is shown, counted from 1, as a step of all constructions.
-fn step_of(
-    results: &Results,
-    look: &Look<'_>,
-    shown: (Picture, ViewPart),
-    step: usize,
-) -> Result<usize, Text> {
+fn step_of(results: &Results, look: &Look<'_>, of: (Picture, ViewPart), step: usize) -> Result<usize, Text> {
     let plans = results.found.as_ref().map(|found| found.plans.at(look.position));
-    let is_drawn = shown == (Picture::Plans, ViewPart::Construction);
+    let is_drawn = of == (Picture::Plans, ViewPart::Construction);
     let Some(plans) = plans.filter(|plans| is_drawn && plans.step_count() > 0) else {
         let options = name("--view plans --part construction");
         return Err(text!("draw-step-of-construction", step = name("--step"), options = options));

@@ -4,7 +4,7 @@
 //! * [`velocity_plan`], [`acceleration_plan`]: pole, images of the points, the parts of each vector.
 //! * [`construction_plans`]: the construction of a force analyzer (longitudinal reactions, Zhukovsky's lever).
 //! * [`split`]: reactions by cause; [`Hodograph`], [`sign_changes`]: reactions over the cycle.
-//! * [`FrictionDiagram`]: a reaction beside the friction of its pair.
+//! * [`friction_circle`], [`friction_cone`]: a reaction beside the friction of its pair.
 //! * [`enveloping`]: the straight line that an arc envelopes.
 //! * [`sheet`]: all plans of one position.
 //!
@@ -26,7 +26,7 @@ pub use construction::{construction_picture, construction_plans};
 pub use cycle::{Hodograph, ReactionExtreme, Sizes};
 pub use enveloping::{Enveloping, EnvelopingPoint, enveloping};
 pub use error::DiagramError;
-pub use friction::FrictionDiagram;
+pub use friction::{friction_circle, friction_cone};
 pub use motion_plan::{acceleration_plan, velocity_plan};
 pub use plan::{PlanPoint, PlanVector, VectorPlan};
 pub use polygon::force_polygons;

@@ -25,7 +25,7 @@ pub fn force_polygons(
 ) -> Vec<VectorPlan> {
     let (mechanism, structure) = (&linkage.mechanism, &linkage.structure);
     let greatest = reactions.pairs.iter().map(|pair| length(pair.force())).fold(0.0, f64::max);
-    let balance = balancing_force(linkage, position, reactions);
+    let balance = balance(linkage, position, reactions);
     let bodies = &position.bodies;
     let drawer = Drawer { linkage, bodies, loads, reactions, balance, floor: UNLOADED * greatest };
     let groups = structure.groups.iter().enumerate().rev().map(|(index, group)| {
@@ -38,11 +38,7 @@ pub fn force_polygons(
 }
 
 /// The balancing force and its link; `None` for a moment.
-fn balancing_force(
-    linkage: &Linkage,
-    position: &Position,
-    reactions: &Reactions,
-) -> Option<(LinkId, [f64; 2])> {
+fn balance(linkage: &Linkage, position: &Position, reactions: &Reactions) -> Option<(LinkId, [f64; 2])> {
     let mechanism = &linkage.mechanism;
     let (link, unit) = match UnitBalance::of(mechanism) {
         Some(unit) => (unit.link, unit.wrench(&position.bodies).force()),

@@ -131,16 +131,11 @@ fn samples(loads: &Loads, positions: &[f64], state_at: &dyn Fn(f64) -> LoadState
 }
 
 /// Coordinates beside the ends of the smooth pieces of the loads between two positions.
-fn jumps(
-    loads: &Loads,
-    [start, end]: [f64; 2],
-    beside: f64,
-    state_at: &dyn Fn(f64) -> LoadState,
-) -> Vec<f64> {
+fn jumps(loads: &Loads, [start, end]: [f64; 2], beside: f64, state: &dyn Fn(f64) -> LoadState) -> Vec<f64> {
     let (mut found, mut at, mut phase) = (Vec::new(), start, loads.phase());
     let inside = |x: f64| x > start.min(end) && x < start.max(end);
     loop {
-        let piece = loads.enter(&state_at(at), &mut phase);
+        let piece = loads.enter(&state(at), &mut phase);
         let next = piece.coordinate[usize::from(end > start)];
         if !inside(next) || !inside(next + beside) {
             return found;

@@ -76,8 +76,7 @@ impl Drawing<'_> {
         items.extend(brakes(&self.linkage.mechanism));
         let mut numbers = Vec::new();
         for link in links {
-            let outline: Vec<Point> =
-                hull(&self.features(link)).into_iter().map(|at| bodies[link].point(at)).collect();
+            let outline = self.outline(link, &bodies[link]);
             numbers.extend(middle(&outline).map(|at| (at, link)));
             items.extend(self.body(outline, link));
         }
@@ -91,11 +90,9 @@ impl Drawing<'_> {
             let needed = self.linkage.mechanism.points.len() <= MOST_NAMES;
             items.push(Item::Name { at, text: (&point.name).into(), ink: Ink::Title, needed });
         }
-        items.extend(numbers.into_iter().map(|(at, link)| Item::Name {
-            at,
-            text: name(link.to_string()),
-            ink: self.ink(link),
-            needed: false,
+        items.extend(numbers.into_iter().map(|(at, link)| {
+            let (text, ink) = (name(link.to_string()), self.ink(link));
+            Item::Name { at, text, ink, needed: false }
         }));
         items
     }
@@ -119,6 +116,11 @@ impl Drawing<'_> {
             _ if self.marked.contains(&link) => Ink::Marked,
             _ => Ink::Link(link),
         }
+    }
+
+    /// The corners of a link where its body is.
+    fn outline(&self, link: LinkId, body: &Body<f64>) -> Vec<Point> {
+        hull(&self.features(link)).into_iter().map(|at| body.point(at)).collect()
     }
 
     /// Three corners and more form a closed outline, two a bar.

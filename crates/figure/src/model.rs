@@ -34,6 +34,13 @@ impl Figure {
         self.panels.len().div_ceil(self.columns.max(1))
     }
 
+    /// Whether a row of panels has the numbers of a horizontal axis below it.
+    pub(crate) fn has_axis_below(&self, row: usize) -> bool {
+        let first = row * self.columns.max(1);
+        let is_plot = |panel: &Panel| matches!(panel.frame, Frame::Axes { .. });
+        self.panels.get(first).is_some_and(is_plot) && self.shows_axis(first)
+    }
+
     /// Whether a panel shows the numbers of its horizontal axis: not where the panel below has the same axis.
     pub(crate) fn shows_axis(&self, index: usize) -> bool {
         let axis = |at: usize| match self.panels.get(at).map(|panel| &panel.frame) {

@@ -74,11 +74,7 @@ pub(crate) fn elements(figure: &Figure, [width, height]: [f64; 2], language: &La
 /// The room of a panel; rows of panels are equally high apart from the rows of their axes.
 fn cell(figure: &Figure, index: usize, room: Room) -> Room {
     let columns = figure.columns.max(1);
-    let below = |row: usize| {
-        let panel = figure.panels.get(row * columns);
-        let axes = panel.is_some_and(|panel| matches!(panel.frame, Frame::Axes { .. }));
-        if axes && figure.shows_axis(row * columns) { axes::BELOW } else { 0.0 }
-    };
+    let below = |row: usize| if figure.has_axis_below(row) { axes::BELOW } else { 0.0 };
     let (row, column) = (index / columns, index % columns);
     let all: f64 = (0..figure.rows()).map(below).sum();
     let (width, height) = (room.width / columns as f64, (room.height - all) / figure.rows().max(1) as f64);

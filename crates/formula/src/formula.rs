@@ -272,13 +272,10 @@ fn second_argument(operations: &[Operation], range: Range<usize>) -> usize {
 }
 
 fn used(operations: &[Operation]) -> Used {
-    let has = |variable| operations.contains(&Operation::Variable(variable));
-    Used {
-        coordinate: has(Variable::Coordinate),
-        speed: has(Variable::Speed),
-        time: has(Variable::Time),
-        place: has(Variable::Place),
-    }
+    let all = [Variable::Coordinate, Variable::Speed, Variable::Time, Variable::Place];
+    let [coordinate, speed, time, place] =
+        all.map(|variable| operations.contains(&Operation::Variable(variable)));
+    Used { coordinate, speed, time, place }
 }
 
 /// The result of operations that leave one number on the stack. `switch` gives the value of a function with a switch from

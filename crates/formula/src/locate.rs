@@ -94,9 +94,8 @@ impl Formula {
         let within = |inner: &Range<usize>| range.start <= inner.start && inner.end <= range.end;
         let inner = |index: usize| index != switch && within(&self.switches()[index].operations);
         // At a switch within the argument its derivative jumps, perhaps the argument itself.
-        let smooth = (0..self.switches().len())
-            .filter(|index| inner(*index))
-            .all(|index| !bounds(index).may_be_zero());
+        let mut inners = (0..self.switches().len()).filter(|index| inner(*index));
+        let smooth = inners.all(|index| !bounds(index).may_be_zero());
         let slope = || {
             let dual = |name| {
                 let [value, slope] = along(name).map(of);

@@ -146,11 +146,8 @@ pub fn instant_centers(linkage: &Linkage, position: &Position) -> Vec<Center> {
             } else {
                 center(one, two, linkage.structure.scale)
             };
-            list.push(Center {
-                link: mechanism.named_link(link),
-                against: mechanism.named_link(against),
-                at,
-            });
+            let [link, against] = [link, against].map(|id| mechanism.named_link(id));
+            list.push(Center { link, against, at });
         }
     }
     list

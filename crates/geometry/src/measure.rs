@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use assur_group::{Order, plane::dot};
 use assur_kinematics::{Linkage, PositionError};
-use assur_mechanism::{GROUND, LinkId, Place, Point, PointId, SlideId};
+use assur_mechanism::{GROUND, LinkId, Named, Place, PointId, SlideId};
 use assur_number::elementary;
 use assur_words::{Describe, Text, text};
 
@@ -44,17 +44,11 @@ pub fn geometry(linkage: &Linkage, against: LinkId) -> Result<Geometry, Geometry
     let cycle = Cycle::of(linkage)?;
     let parts = RigidParts::of(&cycle);
     let moving = || (1..mechanism.links.len()).map(|id| mechanism.named_link(id));
-    let links = moving()
-        .map(|of| Ok((of.clone(), link(&cycle, of.id, &parts)?)))
-        .collect::<Result<_, PositionError>>()?;
-    let moves = |point: &Point| point.places.iter().all(|place| place.link != GROUND);
-    let points = mechanism.points.iter().enumerate().filter(|(_, point)| moves(point));
-    let points = points
-        .map(|(id, _)| Ok((mechanism.named_point(id), point(&cycle, id)?)))
-        .collect::<Result<_, PositionError>>()?;
-    let slides = (0..mechanism.slides.len())
-        .map(|id| Ok((mechanism.named_slide(id), slide(&cycle, id)?)))
-        .collect::<Result<_, PositionError>>()?;
+    let points = (0..mechanism.points.len()).filter(|id| mechanism.place_in(*id, GROUND).is_none());
+    let slides = 0..mechanism.slides.len();
+    let links = each(moving(), |id| link(&cycle, id, &parts))?;
+    let points = each(points.map(|id| mechanism.named_point(id)), |id| point(&cycle, id))?;
+    let slides = each(slides.map(|id| mechanism.named_slide(id)), |id| slide(&cycle, id))?;
     let groups = (0..linkage.structure.groups.len())
         .map(|group| Ok((linkage.structure.group_name(mechanism, group), force_angles(&cycle, group)?)))
         .collect::<Result<_, PositionError>>()?;
@@ -73,6 +67,14 @@ pub fn geometry(linkage: &Linkage, against: LinkId) -> Result<Geometry, Geometry
         groups,
         positions,
     })
+}
+
+/// What is measured of each.
+fn each<T>(
+    all: impl Iterator<Item = Named<usize>>,
+    measure: impl Fn(usize) -> Result<T, PositionError>,
+) -> Result<Each<T>, PositionError> {
+    all.map(|of| measure(of.id).map(|found| (of, found))).collect()
 }
 
 /// The strokes and swings of the outputs of a machine, and the least transmission angle.
@@ -96,11 +98,11 @@ pub fn overview(linkage: &Linkage) -> Result<Overview, GeometryError> {
         let course = slide(&cycle, id)?;
         found.slides.extend(course.stroke.is_some().then_some((id, course)));
     }
-    let on_ground = |link: LinkId| {
-        let on = |point: &Point, wanted: LinkId| point.places.iter().any(|place| place.link == wanted);
-        mechanism.points.iter().any(|point| on(point, link) && on(point, GROUND))
+    let on_ground = |link: &LinkId| {
+        let is_pin = |point| [*link, GROUND].iter().all(|on| mechanism.place_in(point, *on).is_some());
+        (0..mechanism.points.len()).any(is_pin)
     };
-    for id in (1..mechanism.links.len()).filter(|id| on_ground(*id)) {
+    for id in (1..mechanism.links.len()).filter(on_ground) {
         let course = link(&cycle, id, &parts)?;
         found.links.extend(course.stroke.is_some().then_some((id, course)));
     }
@@ -281,16 +283,11 @@ fn positions(
             let motion = linkage.point_motion(point.id, &position);
             Some((point.clone(), Curvature::of(&motion, course.pf1.max)?))
         });
-        let angles = linkage.structure.groups.iter().zip(&position.health);
+        let groups = linkage.structure.groups.iter().zip(&position.health);
         let angles =
-            angles.map(|(group, health)| (group.plugin.force_angle.of)(&group.frame, bodies, health.abs()));
-        found.push(AtPosition {
-            index,
-            coordinate: position.coordinate,
-            links: links.collect(),
-            points: curved.collect(),
-            angles: angles.collect(),
-        });
+            groups.map(|(group, health)| (group.plugin.force_angle.of)(&group.frame, bodies, health.abs()));
+        let (links, points, angles) = (links.collect(), curved.collect(), angles.collect());
+        found.push(AtPosition { index, coordinate: position.coordinate, links, points, angles });
     }
     Ok(found)
 }

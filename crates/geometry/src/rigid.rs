@@ -46,11 +46,8 @@ impl RigidParts {
             for other in 0..link {
                 let heads = parts.first[link] == link && parts.first[other] == other;
                 let still = || {
-                    cycle
-                        .samples
-                        .iter()
-                        .zip(&factors)
-                        .all(|(position, factors)| rests(cycle.linkage, position, factors, [link, other]))
+                    let mut all = cycle.samples.iter().zip(&factors);
+                    all.all(|(position, factors)| rests(cycle.linkage, position, factors, [link, other]))
                 };
                 if heads && still() {
                     parts.unite(other, link);

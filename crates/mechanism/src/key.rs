@@ -104,9 +104,8 @@ impl Key {
             if rest.is_empty() {
                 return Ok(Self(steps));
             }
-            rest = rest
-                .strip_prefix('.')
-                .ok_or_else(|| text!("mechanism-key-continues", rest = name(rest.to_owned())))?;
+            let continues = || text!("mechanism-key-continues", rest = name(rest.to_owned()));
+            rest = rest.strip_prefix('.').ok_or_else(continues)?;
         }
     }
 }

@@ -28,8 +28,7 @@ pub use key::{Key, Step};
 pub use load::{
     Balance, Brake, Contact, Direction, Force, LawTable, Load, LoadKind, Moment, Over, Shape, Spring, Value,
 };
-pub use name::Name;
-pub use name::Named;
+pub use name::{Name, Named};
 pub use numbers::links_of_length_zero;
 pub use point::ReductionPoint;
 pub use size::{

@@ -27,11 +27,10 @@ impl ReductionPoint {
             InputPair::Slide(_) => None,
         };
         let radius = |[x, y]: [f64; 2]| pin.map_or(1.0, |pin| elementary::hypot(x - pin[0], y - pin[1]));
-        let all = (0..mechanism.points.len())
-            .filter_map(|point| Some((point, radius(mechanism.place_in(point, link)?))));
-        let farthest = all
-            .filter(|(_, radius)| *radius > 0.0)
-            .reduce(|best, next| if next.1 > best.1 { next } else { best });
+        let points = 0..mechanism.points.len();
+        let all = points.filter_map(|point| Some((point, radius(mechanism.place_in(point, link)?))));
+        let apart = all.filter(|(_, radius)| *radius > 0.0);
+        let farthest = apart.reduce(|best, next| if next.1 > best.1 { next } else { best });
         farthest.map(|(point, radius)| Self { point: mechanism.named_point(point), radius })
     }
 }

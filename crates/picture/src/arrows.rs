@@ -120,7 +120,13 @@ pub(crate) fn legend(results: &Results, look: &Look<'_>) -> Vec<Key> {
         sample: Sample::Arrow(length, stroke, ink),
         text: text!("arrow-told", what = what, size = size),
     };
-    scales(results, look).into_iter().map(key).chain(legend_of_contacts(results)).collect()
+    // Of the arrows of contacts, the length of a round force.
+    let round = round_length(TOLD * greatest_force(results));
+    let contacts = length_of_force(results).map(|length| Key {
+        sample: Sample::Arrow(round * length, Stroke::Solid, Ink::Second),
+        text: text!("contact-forces", size = quantity(plain(round), "N")),
+    });
+    scales(results, look).into_iter().map(key).chain(contacts).collect()
 }
 
 fn is_contact(results: &Results, load: LoadId) -> bool {
@@ -187,11 +193,4 @@ fn length_of_force(results: &Results) -> Option<f64> {
     let [width, height] = results.outline.bounds.size();
     let most = greatest_force(results);
     (most > 0.0).then(|| LONGEST_FORCE * width.max(height) / most)
-}
-
-/// What the arrows of contacts are, with the length of a round force.
-fn legend_of_contacts(results: &Results) -> Option<Key> {
-    let round = round_length(TOLD * greatest_force(results));
-    let sample = Sample::Arrow(round * length_of_force(results)?, Stroke::Solid, Ink::Second);
-    Some(Key { sample, text: text!("contact-forces", size = quantity(plain(round), "N")) })
 }

@@ -4,8 +4,7 @@ use assur_diagram::{JointForce, Share, Split};
 use assur_figure::{Ink, Panel};
 use assur_words::{Text, name, text};
 
-use crate::plots::{self, Vector};
-use crate::{Found, Look, Reaction, Results, curves};
+use crate::{Found, Look, Reaction, Results, curves, plots};
 
 /// The share of one cause in a reaction.
 #[derive(Debug, Clone)]
@@ -66,11 +65,13 @@ fn sum_of(parts: &[CauseShare]) -> Option<Panel> {
     for (number, part) in parts.iter().enumerate() {
         let Some([x, y]) = part.force.filter(|[x, y]| *x != 0.0 || *y != 0.0) else { continue };
         let to = [at[0] + x, at[1] + y];
-        vectors.push(Vector::arrow(at, to, name((number + 1).to_string()), Ink::Second));
+        let told = name((number + 1).to_string());
+        vectors.push((plots::arrow([at, to], &told, Ink::Second), told));
         at = to;
     }
-    vectors.push(Vector::arrow([0.0; 2], at, text!("forces-sum"), Ink::First));
-    (vectors.len() > 1).then(|| plots::vectors(Text::default(), &vectors, ("N", "F"), None))
+    let told = text!("forces-sum");
+    vectors.push((plots::arrow([[0.0; 2], at], &told, Ink::First), told));
+    (vectors.len() > 1).then(|| plots::vectors(Text::default(), vectors, ("N", "F"), None))
 }
 
 /// Curves of the chosen reaction, with the given series; for one that it does not have, the last one.

@@ -8,7 +8,7 @@ use assur_figure::number::number;
 use assur_figure::{Figure, Frame, Ink, Item, Key, Panel, Point, Sample, Sign, Stroke};
 use assur_words::{Text, joined, list, name, quantity, text};
 
-use crate::plots::{self, STYLES, over_positions};
+use crate::plots::{self, STYLES, Style, over_positions};
 use crate::{Compared, Found, Look, Results, Series, coordinate_unit};
 
 /// What the signs on the curves are. The zeros of the first derivative mark extremes, those of the second one inflections.
@@ -109,11 +109,27 @@ fn in_radians(series: &Series) -> Series {
 /// Relative size of a change that is rounding.
 const CONSTANT: f64 = 1e-9;
 
-/// A panel for each unit, with a ring at the greatest and the least value of each curve.
+/// A panel for each unit, with a ring at the greatest and the least value of each curve; the curves of each follow each other in their
+/// strokes. Several have numbers, under which the legend has their units and their values at the position.
 pub(crate) fn together(results: &Results, look: &Look<'_>, all: &[&Series]) -> Figure {
-    let units = different(all.iter().map(|series| without_radians(&series.unit)));
-    let panels = units.into_iter().map(|unit| panel_of_unit(results, look, all, unit)).collect();
-    let legend = if all.len() > 1 { keys(look, all) } else { Vec::new() };
+    let units: Vec<&str> = all.iter().map(|series| without_radians(&series.unit)).collect();
+    let style = |number: usize| {
+        let before = units[..number].iter().filter(|unit| **unit == units[number]).count();
+        STYLES[before % STYLES.len()]
+    };
+    let panel = |unit| {
+        let own = (0..all.len()).filter(|number| units[*number] == unit);
+        let own: Vec<_> = own.map(|number| (number, style(number))).collect();
+        panel_of_unit(results, look, all, &own)
+    };
+    let key = |(number, series): (usize, &&Series)| {
+        let (stroke, ink) = style(number);
+        let value = assur_words::number(series.bare(look.position));
+        let text = joined(": ", [plots::numbered(number, series.title()), value]);
+        Key { sample: Sample::Line(stroke, ink), text }
+    };
+    let panels = different(units.iter().copied()).into_iter().map(panel).collect();
+    let legend = all.iter().enumerate().filter(|_| all.len() > 1).map(key).collect();
     Figure { panels, columns: 1, legend, ..Figure::default() }
 }
 
@@ -123,36 +139,22 @@ fn different<'a>(all: impl Iterator<Item = &'a str>) -> Vec<&'a str> {
     all.filter(|one| seen.insert(*one)).collect()
 }
 
-/// The curves with their units and their values at the position, each under its number, in the strokes of their panels.
-fn keys(look: &Look<'_>, all: &[&Series]) -> Vec<Key> {
-    let key = |(number, series): (usize, &&Series)| {
-        let unit = without_radians(&series.unit);
-        let before = all[..number].iter().filter(|other| without_radians(&other.unit) == unit).count();
-        let (stroke, ink) = STYLES[before % STYLES.len()];
-        let title = joined(" ", [name((number + 1).to_string()), series.title()]);
-        let text = joined(": ", [title, assur_words::number(series.bare(look.position))]);
-        Key { sample: Sample::Line(stroke, ink), text }
-    };
-    all.iter().enumerate().map(key).collect()
-}
-
 /// A unit without its radians, which are numbers: PF0, PF1 and PF2 of a point are lengths all, on one axis.
 fn without_radians(unit: &str) -> &str {
     let bare = unit.split_once("/rad").map_or(unit, |(bare, _)| bare);
     if bare == "rad" { "" } else { bare }
 }
 
-/// The quantities of one unit but for radians; each has its number in the list of all.
-fn panel_of_unit(results: &Results, look: &Look<'_>, all: &[&Series], unit: &str) -> Panel {
+/// The quantities of one unit but for radians; each has its number in the list of all, and its style.
+fn panel_of_unit(results: &Results, look: &Look<'_>, all: &[&Series], own: &[(usize, Style)]) -> Panel {
     let (_, coordinate) = coordinate_unit(&results.linkage);
     let (mut curves, mut signs, mut names) = (Vec::new(), Vec::new(), Vec::new());
     let before = |series: &&Series| look.compared?.series(results.named(&series.short)?).map(in_radians);
     let befores: Vec<Option<Series>> = all.iter().map(before).collect();
-    for (number, series) in all.iter().enumerate().filter(|(_, series)| without_radians(&series.unit) == unit)
-    {
-        let (stroke, ink) = STYLES[curves.len() % STYLES.len()];
+    for &(number, (stroke, ink)) in own {
+        let series = all[number];
         curves.extend(befores[number].iter().map(|before| (before, Stroke::Dotted, Ink::Trace)));
-        curves.push((*series, stroke, ink));
+        curves.push((series, stroke, ink));
         let place = |[at, value]: Point| [coordinate * at, series.factor * value];
         if let Some(ends) = series.course.highest_and_lowest() {
             // A course that is constant to its rounding has no extremes.

@@ -3,7 +3,8 @@
 use assur_figure::{Bounds, Figure, Frame, Ink, Item, Panel, Point, Sign, Stroke};
 use assur_words::{Text, list, name, quantity, text};
 
-use crate::{Found, Look, Reaction, Results, Series, ViewPart, causes, curves, friction};
+pub use crate::friction::beside_friction;
+use crate::{Found, Look, Reaction, Results, Series, ViewPart, causes, curves};
 
 /// The chosen reaction: its modulus beside its hodograph, its projections, its hodograph, or its causes.
 pub fn figure(results: &Results, look: &Look<'_>, part: ViewPart) -> Figure {
@@ -35,12 +36,6 @@ pub fn figure(results: &Results, look: &Look<'_>, part: ViewPart) -> Figure {
     };
     let name = chosen(found, look).map(|reaction| reaction.name.clone()).unwrap_or_default();
     Figure { title: list([name, heading(results, look, found)]), panels, columns, legend: Vec::new() }
-}
-
-/// The reaction of a pair with friction in a position, as the textbooks draw it; `None` without friction or force.
-pub fn beside_friction(found: &Found, position: usize, reaction: &Reaction) -> Option<Panel> {
-    let (pair, link) = reaction.of.as_ref()?;
-    friction::panel(found, position, (pair.id, link.id), &reaction.name)
 }
 
 /// By which analyzer the reactions are, and their difference to those of another one.

@@ -38,7 +38,7 @@ pub struct Found {
     /// Indices in `series` of the content of the motion view.
     pub motion: Vec<usize>,
     /// What quantities reach, kept because a view is drawn many times.
-    ranges: RefCell<HashMap<Column, Option<Range>>>,
+    reach: RefCell<HashMap<Column, Option<Range>>>,
 }
 
 impl Found {
@@ -69,7 +69,7 @@ impl Found {
         gather.others();
         gather.mark_rounding();
         let series = gather.series;
-        let ranges = RefCell::default();
+        let reach = RefCell::default();
         Ok(Self {
             linkage,
             analyzer,
@@ -81,14 +81,14 @@ impl Found {
             reactions,
             plans,
             motion,
-            ranges,
+            reach,
         })
     }
 
     /// What a quantity reaches, between the positions too; `None` where no position has a value.
     pub fn range(&self, series: &Series) -> Option<Range> {
         let find = || assur_book::range(self.plans.calculation(), &series.course, series.column);
-        *self.ranges.borrow_mut().entry(series.column).or_insert_with(find)
+        *self.reach.borrow_mut().entry(series.column).or_insert_with(find)
     }
 
     /// A local extreme of a series as it is found between the positions too.

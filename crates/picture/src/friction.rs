@@ -1,14 +1,14 @@
-//! The reaction of a pair with dry friction as the textbooks draw it ([`FrictionDiagram`]).
+//! The reaction of a pair with dry friction as the textbooks draw it.
 
 use assur_analysis::results::{Column, Owner, Part, Quantity};
-use assur_diagram::FrictionDiagram;
+use assur_diagram::{friction_circle, friction_cone};
 use assur_figure::number::digits;
 use assur_figure::{Bounds, Frame, Ink, Item, Panel, Point, Sign, Stroke};
 use assur_group::Order;
-use assur_mechanism::{LinkId, PairId, Surfaces};
+use assur_mechanism::{PairId, Surfaces};
 use assur_words::{Text, name, quantity, text};
 
-use crate::Found;
+use crate::{Found, Reaction};
 
 /// Length of the force beside a circle, and half the side of the drawing, in radii of the circle.
 const FORCE: f64 = 2.5;
@@ -16,14 +16,10 @@ const ROOM: f64 = 3.0;
 /// Half the length of a guide that is drawn, in lengths of the force.
 const GUIDE: f64 = 0.5;
 
-/// The force of a pair on a link in a position, under the name of the reaction; `None` where the pair has no friction, or no force.
-pub(crate) fn panel(
-    found: &Found,
-    position: usize,
-    (pair, link): (PairId, LinkId),
-    reaction: &Text,
-) -> Option<Panel> {
-    let mechanism = &found.linkage.mechanism;
+/// The reaction of a pair with friction in a position, as the textbooks draw it; `None` without friction or force.
+pub fn beside_friction(found: &Found, position: usize, reaction: &Reaction) -> Option<Panel> {
+    let ((pair, link), reaction) = (reaction.of.as_ref()?, &reaction.name);
+    let (pair, link, mechanism) = (pair.id, link.id, &found.linkage.mechanism);
     let friction = mechanism.frictions.iter().find(|friction| friction.pair == pair)?;
     let table = &found.analysis.positions;
     let row = table.row_of(position)?;
@@ -31,7 +27,7 @@ pub(crate) fn panel(
     let whole = Column::of(Quantity::Force, Owner::PairOn(pair, link));
     let part = |part| table.get(row, whole.part(part)).filter(|value| value.is_finite());
     let force = [part(Part::X)?, part(Part::Y)?];
-    let diagram = match (pair, friction.surfaces) {
+    Some(match (pair, friction.surfaces) {
         (PairId::Pin(_), Surfaces::Journal { owner, .. }) => {
             let moment = if mechanism.friction_links(friction).len() > 1 {
                 value(Quantity::FrictionMoment, Owner::PairOn(pair, link))?
@@ -40,7 +36,8 @@ pub(crate) fn panel(
                 let sign = if link == owner { -1.0 } else { 1.0 };
                 sign * value(Quantity::FrictionMoment, Owner::Pair(pair))?
             };
-            FrictionDiagram::of_pin(friction, force, moment)?
+            let (radius, lever) = friction_circle(friction, force, moment)?;
+            circle(reaction, radius, force, lever)
         }
         (PairId::Slide(id), _) => {
             let (slide, mut pose) = (&mechanism.slides[id], found.linkage.position());
@@ -48,21 +45,12 @@ pub(crate) fn panel(
             let (s, c) = slide.angle.sin_cos();
             let along = pose.bodies[slide.on].turned([c, s]);
             let share = value(Quantity::FrictionForce, Owner::Pair(pair))?;
-            FrictionDiagram::of_slide(friction, force, along, share)?
+            let (angle, normal, on_both_ends) = friction_cone(friction, force, along, share)?;
+            let told = quantity(digits(angle.to_degrees(), 4), "deg");
+            let title = if on_both_ends { "friction-cone-of-ends" } else { "friction-cone" };
+            cone(text!(title, reaction, angle = told), angle, force, (along, normal))
         }
         (PairId::Pin(_), _) => return None,
-    };
-    Some(match diagram {
-        FrictionDiagram::Circle { radius, lever } => circle(reaction, radius, force, lever),
-        FrictionDiagram::Cone { angle, along, normal, on_both_ends } => {
-            let angle_told = quantity(digits(angle.to_degrees(), 4), "deg");
-            let title = if on_both_ends {
-                text!("friction-cone-of-ends", reaction = reaction, angle = angle_told)
-            } else {
-                text!("friction-cone", reaction = reaction, angle = angle_told)
-            };
-            cone(title, angle, force, (along, normal))
-        }
     })
 }
 
@@ -95,14 +83,11 @@ fn cone(title: Text, angle: f64, force: Point, (along, pressing): (Point, f64)) 
         let (s, c) = angle.sin_cos();
         vec![[0.0; 2], times(size, [c * normal[0] - s * normal[1], s * normal[0] + c * normal[1]])]
     };
-    let across = times(pressing.abs(), normal);
+    let (across, guide) =
+        (times(pressing.abs(), normal), [-GUIDE, GUIDE].map(|end| times(end * size, along)));
     let arrow = |to, stroke, ink| Item::Arrow { from: [0.0; 2], to, stroke, ink };
     let items = vec![
-        Item::line(
-            vec![times(-GUIDE * size, along), times(GUIDE * size, along)],
-            Stroke::Dashed,
-            Ink::Ground,
-        ),
+        Item::line(guide, Stroke::Dashed, Ink::Ground),
         Item::line(leaning(angle), Stroke::Dotted, Ink::Trace),
         Item::line(leaning(-angle), Stroke::Dotted, Ink::Trace),
         arrow(across, Stroke::Solid, Ink::Second),

@@ -6,7 +6,7 @@ use assur_figure::{Figure, Frame, Ink, Item, Key, Panel, Sample, Sign, Stroke};
 use assur_kinematics::Position;
 use assur_words::{Text, joined, name};
 
-use crate::{Look, Probe, Results, Traces, arrows};
+use crate::{Look, Outline, Probe, Results, Traces, arrows};
 
 /// A trail shows a path divided by this number.
 const TRAIL: usize = 4;
@@ -43,12 +43,7 @@ pub fn figure(results: &Results, look: &Look<'_>, marked: &[usize]) -> Figure {
 
 /// The first position with some links in other places: those of it that are `marked`; what follows from them is `hidden`. The
 /// mechanism as it is stands behind it, faint.
-fn another(
-    results: &Results,
-    look: &Look<'_>,
-    (marked, hidden): (&[usize], &[usize]),
-    pose: &Position,
-) -> Figure {
+fn another(results: &Results, look: &Look<'_>, [marked, hidden]: [&[usize]; 2], pose: &Position) -> Figure {
     let mut items = ghost(results, look);
     let drawing = Drawing { hidden, ..drawing(results, marked) };
     items.extend(drawing.items(pose));
@@ -72,24 +67,15 @@ pub fn still(results: &Results) -> Figure {
 
 /// The plane in which the mechanism lies, with what is drawn in it.
 pub fn plane(results: &Results, items: Vec<Item>) -> Panel {
-    let frame = Frame::Plane {
-        bounds: results.outline.bounds,
-        unit: "mm".into(),
-        factor: 1e3,
-        scale: ("l", "m".into()),
-    };
+    let bounds = results.outline.bounds;
+    let frame = Frame::Plane { bounds, unit: "mm".into(), factor: 1e3, scale: ("l", "m".into()) };
     Panel { title: Text::default(), frame, items }
 }
 
 /// The drawing of the mechanism; the links in `marked` are highlighted.
 pub fn drawing<'a>(results: &'a Results, marked: &'a [usize]) -> Drawing<'a> {
-    Drawing {
-        linkage: &results.linkage,
-        strokes: &results.outline.strokes,
-        arcs: &results.outline.arcs,
-        marked,
-        hidden: &[],
-    }
+    let Outline { strokes, arcs, .. } = &results.outline;
+    Drawing { linkage: &results.linkage, strokes, arcs, marked, hidden: &[] }
 }
 
 /// A position that can't be assembled: what has a place, and the gap of the first group that has none.
@@ -182,7 +168,7 @@ pub fn structure(results: &Results, look: &Look<'_>) -> Figure {
     let marked = group.map_or(&[][..], |group| &group.frame.links);
     let in_mode = look.mode.and_then(|mode| group_in_mode(results, look.group, mode));
     match in_mode {
-        Some((pose, hidden)) => another(results, look, (marked, &hidden), &pose),
+        Some((pose, hidden)) => another(results, look, [marked, &hidden], &pose),
         None => figure(results, look, marked),
     }
 }

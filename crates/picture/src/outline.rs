@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use assur_diagram::enveloping;
 use assur_figure::mechanism::{Arc, brakes};
-use assur_figure::{Bounds, Item};
+use assur_figure::{Bounds, Item, Point};
 use assur_force::{LoadState, Loads};
 use assur_group::Order;
 use assur_kinematics::{Linkage, Position};
@@ -91,16 +91,11 @@ fn strokes(linkage: &Linkage, fine: &[Option<Position>]) -> Vec<[f64; 2]> {
 fn arcs(linkage: &Linkage) -> Vec<Arc> {
     let loads = Loads::compile(linkage).ok();
     let all = linkage.mechanism.loads.iter().enumerate();
-    let contacts = all.filter_map(|(id, load)| Some((id, load, load.kind.contact()?)));
-    contacts.filter_map(|(id, load, contact)| arc(linkage, loads.as_ref(), (id, load), contact)).collect()
+    all.filter_map(|(id, load)| arc(linkage, loads.as_ref(), id, load)).collect()
 }
 
-fn arc(
-    linkage: &Linkage,
-    loads: Option<&Loads>,
-    (id, load): (LoadId, &Load),
-    contact: &Contact,
-) -> Option<Arc> {
+fn arc(linkage: &Linkage, loads: Option<&Loads>, id: LoadId, load: &Load) -> Option<Arc> {
+    let contact = load.kind.contact()?;
     let Contact { center: Place { link, at }, radius, .. } = *contact;
     let found = enveloping(linkage, &load.name, contact, STEPS).ok()?;
     let mut position = linkage.position();
@@ -129,7 +124,7 @@ fn arc(
 fn bounds(
     linkage: &Linkage,
     fine: &[Option<Position>],
-    paths: &[Vec<[f64; 2]>],
+    paths: &[Vec<Point>],
     strokes: &[[f64; 2]],
 ) -> Bounds {
     let mut bounds = Bounds::EMPTY;

@@ -65,11 +65,9 @@ impl Planner {
         if let Some(plans) = kept.iter().find(|plans| plans.position == position) {
             return Arc::clone(plans);
         }
-        let plans = Arc::new(Plans {
-            sheet: self.calculation.sheet(position),
-            constructions: self.calculation.constructions(position).unwrap_or_default(),
-            position,
-        });
+        let sheet = self.calculation.sheet(position);
+        let constructions = self.calculation.constructions(position).unwrap_or_default();
+        let plans = Arc::new(Plans { sheet, constructions, position });
         kept.insert(0, Arc::clone(&plans));
         kept.truncate(KEPT);
         plans

@@ -2,12 +2,11 @@
 
 use assur_diagram::{PlanVector, VectorPlan, construction_picture};
 use assur_figure::number::digits;
-use assur_figure::{Bounds, Figure, Frame, Ink, Item, Key, Panel, Sample, Stroke};
+use assur_figure::{Bounds, Figure, Frame, Ink, Item, Key, Panel, Sample, Sign, Stroke};
 use assur_force::{Construction, Drawing, VectorKind};
 use assur_words::{Describe, Text, joined, name, number, quantity, text};
 
-use crate::plots::{self, Drawn, Vector};
-use crate::{Found, Look, Plans, Results, ViewPart, mechanism};
+use crate::{Found, Look, Plans, Results, ViewPart, mechanism, plots};
 
 /// A vector smaller than this part of the greatest counts as zero.
 const LEAST: f64 = 1e-12;
@@ -129,14 +128,14 @@ pub(crate) fn panel_of_plan(part: ViewPart, plan: &VectorPlan) -> Panel {
     let vectors = labelled(part, plan).into_iter().map(|(label, item)| {
         let ink = ink_of(part, item);
         let name = if ink == Ink::Trace { Text::default() } else { name(label) };
-        Vector::arrow(item.start, item.end, name, ink)
+        (plots::arrow([item.start, item.end], &name, ink), name)
     });
     let (unit, symbol, pole) = match part {
         ViewPart::Velocities => (plan.unit.as_str(), "v", Some(POLE)),
         ViewPart::Accelerations => (plan.unit.as_str(), "a", Some(POLE)),
         _ => (plan.unit.as_str(), "F", None),
     };
-    plots::vectors(Text::default(), &vectors.collect::<Vec<_>>(), (unit, symbol), pole)
+    plots::vectors(Text::default(), vectors.collect(), (unit, symbol), pole)
 }
 
 /// The label of a vector in the drawing and in the list: `R3`, or the point of an absolute velocity.
@@ -175,15 +174,10 @@ fn chosen_step(plans: &Plans, step: usize) -> Option<(&Construction, usize)> {
 
 /// The drawing of the last step with the steps up to it, on the place that all its steps take: the mechanism under the steps in it
 /// and the polygon laid off from its corner, or the lever.
-fn panel_of_steps(
-    results: &Results,
-    look: &Look<'_>,
-    construction: &Construction,
-    last: usize,
-) -> Option<Panel> {
-    let step = construction.steps.get(last)?;
+fn panel_of_steps(results: &Results, look: &Look<'_>, drawn: &Construction, last: usize) -> Option<Panel> {
+    let step = drawn.steps.get(last)?;
     let on_lever = step.drawing == Drawing::Lever;
-    let all = construction_picture(construction, on_lever);
+    let all = construction_picture(drawn, on_lever);
     let mut place = Bounds::around(all.iter().flat_map(|(_, ends)| *ends));
     let mut beneath = Vec::new();
     if !on_lever {
@@ -200,25 +194,25 @@ fn panel_of_steps(
         beneath = items.flat_map(|item| item.within(&place)).collect();
     }
     let made = all.into_iter().take_while(|(number, _)| *number <= last);
-    let vectors: Vec<Vector> = made
-        .filter_map(|(number, ends)| {
-            let step = &construction.steps[number];
-            let (ink, kind) = match step.kind {
-                VectorKind::Point => (Ink::Trace, Drawn::Point),
-                VectorKind::Line => (Ink::Trace, Drawn::Line),
-                kind => (ink(kind), Drawn::Arrow),
-            };
-            // A line is named while it is the last step; its ends have names. So is a vector too short to be seen.
-            let short = || length(ends) < SHORT * place.size().into_iter().fold(0.0, f64::max);
-            let hidden = number < last && (kind == Drawn::Line || kind == Drawn::Arrow && short());
-            let name = if hidden { Text::default() } else { step.name.clone() };
-            let [from, to] = if on_lever { ends } else { place.cut(ends)? };
-            Some(Vector { from, to, name, ink, kind })
-        })
-        .collect();
-    let image = construction.steps.iter().find(|step| step.kind == VectorKind::Absolute);
+    let vector = |(number, ends): (usize, [[f64; 2]; 2])| {
+        let step = &drawn.steps[number];
+        // A line is named while it is the last step; its ends have names. So is a vector too short to be seen.
+        let short = || length(ends) < SHORT * place.size().into_iter().fold(0.0, f64::max);
+        let is_named =
+            number == last || step.kind == VectorKind::Point || step.kind != VectorKind::Line && !short();
+        let name = if is_named { step.name.clone() } else { Text::default() };
+        let ends = if on_lever { ends } else { place.cut(ends)? };
+        let item = match step.kind {
+            VectorKind::Point => Item::sign(ends[0], Sign::Dot, Ink::Title),
+            VectorKind::Line => Item::line(ends, Stroke::Solid, Ink::Trace),
+            kind => plots::arrow(ends, &name, ink(kind)),
+        };
+        Some((item, name))
+    };
+    let vectors = made.filter_map(vector).collect();
+    let image = drawn.steps.iter().find(|step| step.kind == VectorKind::Absolute);
     let (unit, symbol) = if on_lever { (image.map_or("m", |step| step.unit), "v") } else { ("m", "l") };
-    let mut panel = plots::vectors(Text::default(), &vectors, (unit, symbol), on_lever.then_some(POLE));
+    let mut panel = plots::vectors(Text::default(), vectors, (unit, symbol), on_lever.then_some(POLE));
     panel.items.splice(0..0, beneath);
     if let Frame::Plane { bounds, .. } = &mut panel.frame {
         *bounds = place;

@@ -12,8 +12,11 @@ use crate::{Found, Look, Series, coordinate_at, coordinate_unit};
 /// Positions that are marked on a curve at most; more of them would hide it.
 const MARKED: usize = 24;
 
+/// How a curve is drawn.
+pub(crate) type Style = (Stroke, Ink);
+
 /// Strokes and inks of several curves, told apart without color.
-pub(crate) const STYLES: [(Stroke, Ink); 6] = [
+pub(crate) const STYLES: [Style; 6] = [
     (Stroke::Solid, Ink::First),
     (Stroke::Dotted, Ink::Third),
     (Stroke::Chain, Ink::Second),
@@ -53,22 +56,17 @@ pub fn over_positions(
         Item::line(points, *stroke, *ink)
     };
     let mut items: Vec<Item> = curves.iter().map(line).collect();
-    let marked = curves
-        .first()
-        .filter(|_| linkage.mechanism.input.positions <= MARKED)
-        .map(|(series, ..)| at_positions(series));
+    let are_few = linkage.mechanism.input.positions <= MARKED;
+    let marked = curves.first().filter(|_| are_few).map(|(series, ..)| at_positions(series));
     items.extend(marked.into_iter().flatten().map(|at| Item::sign(at, Sign::Node, Ink::Title)));
     let values: Vec<f64> = items.iter().flat_map(Item::points).map(|at| at[1]).collect();
     let (floor, unit) = curves.first().map_or((0.0, Text::default()), |(series, ..)| {
         (series.factor * series.floor, unit(series.unit.clone()))
     });
     items.extend(signs);
-    let frame = Frame::Axes {
-        x: coordinate_axis(linkage),
-        y: Axis::around(unit, values, floor),
-        cursor: Some(Cursor { at: coordinate_at(linkage, look.at()), value }),
-    };
-    Panel { title, frame, items }
+    let (x, y) = (coordinate_axis(linkage), Axis::around(unit, values, floor));
+    let cursor = Some(Cursor { at: coordinate_at(linkage, look.at()), value });
+    Panel { title, frame: Frame::Axes { x, y, cursor }, items }
 }
 
 /// At most three courses, each with its name; where there are several, with a number on them. `factor`: from SI to the unit of
@@ -111,46 +109,33 @@ pub fn numbered(at: usize, told: Text) -> Text {
     joined(" ", [name((at + 1).to_string()), told])
 }
 
-/// A vector from one point to another.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Vector {
-    pub(crate) from: Point,
-    pub(crate) to: Point,
-    /// May be empty: then it is a thin line.
-    pub(crate) name: Text,
-    pub(crate) ink: Ink,
-    pub(crate) kind: Drawn,
-}
-
-impl Vector {
-    pub(crate) fn arrow(from: Point, to: Point, name: Text, ink: Ink) -> Self {
-        Self { from, to, name, ink, kind: Drawn::Arrow }
+/// A vector from one point to another; without a name it is a thin line.
+pub(crate) fn arrow([from, to]: [Point; 2], name: &Text, ink: Ink) -> Item {
+    if name.is_empty() {
+        Item::line([from, to], Stroke::Dotted, ink)
+    } else {
+        Item::Arrow { from, to, stroke: Stroke::Solid, ink }
     }
 }
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Drawn {
-    /// With a head; without a name as a thin line.
-    Arrow,
-    Line,
-    Point,
-}
-
-/// Vectors that are drawn together, in a unit, with the index of its scale factor. With a pole, it is marked and names
-/// are at the tips, as in textbooks.
+/// Arrows, lines and points that are drawn together, each with its name, which may be empty; in a unit, with the index of its scale
+/// factor. With a pole, it is marked and names are at the tips, as in textbooks.
 pub(crate) fn vectors(
     title: Text,
-    vectors: &[Vector],
+    vectors: Vec<(Item, Text)>,
     (unit, symbol): (&str, &'static str),
     pole: Option<&'static str>,
 ) -> Panel {
-    let mut items: Vec<Item> = vectors.iter().map(arrow).collect();
     let part = if pole.is_some() { 1.0 } else { 0.6 };
-    items.extend(vectors.iter().filter(|vector| !vector.name.is_empty()).map(|vector| {
-        let part = if vector.kind == Drawn::Line { 0.5 } else { part };
-        let at = [0, 1].map(|axis| (1.0 - part) * vector.from[axis] + part * vector.to[axis]);
-        Item::name(at, vector.name.clone(), Ink::Title)
-    }));
+    let name_of = |(item, text): &(Item, Text)| {
+        let part = if matches!(item, Item::Line { .. }) { 0.5 } else { part };
+        let ends = item.points();
+        let [from, to] = [ends[0], ends[ends.len() - 1]];
+        let at = [0, 1].map(|axis| (1.0 - part) * from[axis] + part * to[axis]);
+        Item::name(at, text.clone(), Ink::Title)
+    };
+    let names: Vec<Item> = vectors.iter().filter(|(_, text)| !text.is_empty()).map(name_of).collect();
+    let mut items: Vec<Item> = vectors.into_iter().map(|(item, _)| item).chain(names).collect();
     if let Some(pole) = pole {
         items.push(Item::sign([0.0; 2], Sign::Ring, Ink::Title));
         items.push(Item::name([0.0; 2], name(pole), Ink::Title));
@@ -158,16 +143,6 @@ pub(crate) fn vectors(
     let bounds = Bounds::around(items.iter().flat_map(Item::points));
     let frame = Frame::Plane { bounds, unit: unit.into(), factor: 1.0, scale: (symbol, unit.into()) };
     Panel { title, frame, items }
-}
-
-fn arrow(vector: &Vector) -> Item {
-    let Vector { from, to, ink, kind, .. } = *vector;
-    match kind {
-        Drawn::Point => Item::sign(from, Sign::Dot, Ink::Title),
-        Drawn::Line => Item::line([from, to], Stroke::Solid, ink),
-        Drawn::Arrow if vector.name.is_empty() => Item::line([from, to], Stroke::Dotted, ink),
-        Drawn::Arrow => Item::Arrow { from, to, stroke: Stroke::Solid, ink },
-    }
 }
 
 /// Gives all panels the bounds of the largest one, so that they have one scale.

@@ -57,14 +57,10 @@ pub(crate) fn course(found: &Found, regime: &RegimeOverCycle, look: &Look<'_>) -
     if !first_turn.is_empty() {
         lines.push((text!("regime-first-turn"), first_turn));
     }
-    let speed = plots::curves(
-        text!("regime-input-speed"),
-        lines,
-        axis(&found.linkage),
-        Some(cursor(&found.linkage, look).into()),
-    );
-    let energies =
-        plots::energies(found, Column::COORDINATE, axis(&found.linkage), cursor(&found.linkage, look));
+    let now = cursor(&found.linkage, look);
+    let title = text!("regime-input-speed");
+    let speed = plots::curves(title, lines, axis(&found.linkage), Some(now.into()));
+    let energies = plots::energies(found, Column::COORDINATE, axis(&found.linkage), now);
     [speed, moments(found, regime, look)].into_iter().chain(energies).collect()
 }
 
@@ -105,11 +101,8 @@ pub(crate) fn moments(found: &Found, regime: &RegimeOverCycle, look: &Look<'_>) 
         }
         let middle = Bounds::around(outline.iter().copied()).center();
         panel.items.insert(0, Item::Area { outline, ink: Ink::Trace });
-        panel.items.push(Item::name(
-            middle,
-            text!("regime-excess-area", work = quantity(digits(work, 6), "J")),
-            Ink::Title,
-        ));
+        let told = text!("regime-excess-area", work = quantity(digits(work, 6), "J"));
+        panel.items.push(Item::name(middle, told, Ink::Title));
     }
     panel
 }
@@ -234,11 +227,8 @@ pub(crate) fn shares(found: &Found, dynamics: &Dynamics, look: &Look<'_>) -> (Pa
     };
     let legend = samples.into_iter().zip(names).map(key).collect();
     let y = Axis::around(unit("kg m2"), values, 0.0);
-    let frame = Frame::Axes {
-        x: plots::coordinate_axis(&found.linkage),
-        y,
-        cursor: Some(cursor(&found.linkage, look).into()),
-    };
+    let (x, cursor) = (plots::coordinate_axis(&found.linkage), Some(cursor(&found.linkage, look).into()));
+    let frame = Frame::Axes { x, y, cursor };
     (Panel { title, frame, items }, legend)
 }
 

@@ -120,9 +120,8 @@ impl Results {
     /// The names of the groups.
     pub fn group_names(&self) -> Vec<Text> {
         let structure = &self.linkage.structure;
-        (0..structure.groups.len())
-            .map(|group| structure.group_name(&self.linkage.mechanism, group))
-            .collect()
+        let groups = 0..structure.groups.len();
+        groups.map(|group| structure.group_name(&self.linkage.mechanism, group)).collect()
     }
 
     /// What a quantity belongs to: its kind and its name.

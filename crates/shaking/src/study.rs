@@ -149,12 +149,7 @@ fn size(
 }
 
 fn described(linkage: &Linkage, carrier: &Carrier, [x, y]: [f64; 2]) -> Counterweight {
-    let product = elementary::hypot(x, y);
-    Counterweight {
-        link: linkage.mechanism.named_link(carrier.link),
-        product,
-        angle: elementary::atan2(y, x),
-        radius: carrier.radius,
-        mass: product / carrier.radius,
-    }
+    let (product, angle, radius) = (elementary::hypot(x, y), elementary::atan2(y, x), carrier.radius);
+    let link = linkage.mechanism.named_link(carrier.link);
+    Counterweight { link, product, angle, radius, mass: product / radius }
 }

@@ -73,10 +73,8 @@ fn count(mechanism: &Mechanism) -> Mobility {
 /// Builds the unknowns (links and pins) and the equations between them; ground and input link are known.
 pub(crate) fn counted_system(mechanism: &Mechanism, left_out: &LeftOut) -> Graph {
     let known = |link: LinkId| link == GROUND || link == mechanism.input.link;
-    let mut nodes: Vec<Node> = (1..mechanism.links.len())
-        .filter(|&link| !known(link) && !left_out.link(link))
-        .map(Node::Link)
-        .collect();
+    let links = (1..mechanism.links.len()).filter(|&link| !known(link) && !left_out.link(link));
+    let mut nodes: Vec<Node> = links.map(Node::Link).collect();
     // A pin of which every link is left out has no place.
     let is_held = |(id, point): &(usize, &Point)| {
         point.is_pin() && point.places.iter().any(|place| !left_out.pair(PairId::Pin(*id), place.link))
@@ -142,13 +140,8 @@ fn refuse_other_mobility(
         }
         (surplus, false) => {
             let surplus = surplus.map_or(Vec::new(), |(pairs, _)| pairs);
-            Err(StructureError::Loose {
-                counted,
-                links: loose,
-                surplus,
-                alike: alike(mechanism),
-                alone: alone(mechanism, &loose_links),
-            })
+            let (alike, alone) = (alike(mechanism), alone(mechanism, &loose_links));
+            Err(StructureError::Loose { counted, links: loose, surplus, alike, alone })
         }
     }
 }

@@ -90,7 +90,7 @@ pub(crate) enum Command {
     Man,
 }
 
-#[derive(Debug, Clone, Args)]
+#[derive(Debug, Clone, Default, Args)]
 pub(crate) struct AnalyzeArgs {
     #[command(flatten)]
     pub(crate) checked: CheckedArgs,

@@ -94,10 +94,8 @@ pub(crate) fn report(args: &ReportArgs, language: Option<&str>, style: Style) ->
         let folder = args.output.with_file_name(&figures);
         let names: Vec<&str> = written.figures.iter().map(|(name, _)| name.as_str()).collect();
         Output::of(Some(&folder), path)?.write_folder(status, &names, &names, |files| {
-            files
-                .iter_mut()
-                .zip(&written.figures)
-                .try_for_each(|(file, (_, drawn))| file.write_all(drawn.as_bytes()))
+            let mut all = files.iter_mut().zip(&written.figures);
+            all.try_for_each(|(file, (_, drawn))| file.write_all(drawn.as_bytes()))
         })?;
     }
     output.write(written.text, status)

@@ -29,13 +29,12 @@ use clap::CommandFactory;
 
 use args::{AnalyzeArgs, Cli, Command};
 use fault::{Fault, Status};
-use options::{CheckedArgs, Checks, Format, SceneArgs};
-use plans::PlanArgs;
+use options::{CheckedArgs, SceneArgs};
 use style::Style;
 use usage::Refused;
 
 use crate::files::{self, FileError};
-use crate::screen::Config;
+use crate::screen::{self, Config};
 
 /// Runs one command line and returns the exit status: 0 done; 1 no assembly, no solution or a check that fails; 2 a bad
 /// scene or usage.
@@ -120,43 +119,31 @@ fn scene_or_screen(cli: Cli, (config, config_fault): Configured, style: Style) -
     // A terminal that calls itself dumb can't move its cursor.
     let dumb = std::env::var_os("TERM").is_some_and(|name| name == "dumb");
     let interactive = !dumb && std::io::stdout().is_terminal() && std::io::stdin().is_terminal();
-    match cli.scene {
-        // A single word may be meant as a command.
-        Some(scene) if !scene.exists() && scene.to_str().and_then(usage::nearest_command).is_some() => {
-            let offer = scene.to_str().and_then(usage::nearest_command).unwrap_or_default();
+    let missing = cli.scene.as_deref().filter(|scene| !scene.exists());
+    // A single word may be meant as a command.
+    let offer = missing.and_then(|word| usage::nearest_command(word.to_str()?));
+    match (cli.scene, offer) {
+        (Some(scene), Some(offer)) => {
             let missing = files::read(&scene).err().map(|error| error.describe()).unwrap_or_default();
             Err(Fault::Scene(text!("cli-offer-command", problem = missing, command = name(offer))))
         }
-        Some(scene) if !interactive => {
+        (Some(scene), _) if !interactive => {
             let scene = SceneArgs { scene, methods: cli.methods };
-            let checked = CheckedArgs { scene, checks: Checks::Sample, indeterminate: None };
-            analyze::run(
-                &AnalyzeArgs {
-                    checked,
-                    format: Format::Text,
-                    output: None,
-                    plans: PlanArgs::default(),
-                    positions: Vec::new(),
-                },
-                style,
-            )
+            let checked = CheckedArgs { scene, ..CheckedArgs::default() };
+            analyze::run(&AnalyzeArgs { checked, ..AnalyzeArgs::default() }, style)
         }
-        None if !interactive => {
+        (None, _) if !interactive => {
             style.tell(name(Cli::command().render_help().to_string()));
             Ok(Status::Bad)
         }
-        scene => {
+        (scene, _) => {
             let fault = config_fault.map(|fault| fault.describe());
-            let options = crate::screen::Options {
-                ascii: style.ascii,
-                look: cli.look,
-                language: cli.language,
-                methods: cli.methods.into(),
-                config,
-                config_fault: fault.clone(),
-                config_file: config::file(),
-            };
-            let code = crate::screen::run(scene, options);
+            let (look, language, methods) = (cli.look, cli.language, cli.methods.into());
+            let (ascii, config_fault, config_file) = (style.ascii, fault.clone(), config::file());
+            let code = crate::screen::run(
+                scene,
+                screen::Options { ascii, look, language, methods, config, config_fault, config_file },
+            );
             if let Some(fault) = fault {
                 style.tell(fault);
             }

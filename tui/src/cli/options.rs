@@ -23,7 +23,7 @@ impl From<MethodArgs> for Options {
 }
 
 /// A scene and methods.
-#[derive(Debug, Clone, Args)]
+#[derive(Debug, Clone, Default, Args)]
 pub(crate) struct SceneArgs {
     /// Scene file
     pub(crate) scene: PathBuf,
@@ -32,7 +32,7 @@ pub(crate) struct SceneArgs {
 }
 
 /// A scene, methods, and how much is checked.
-#[derive(Debug, Clone, Args)]
+#[derive(Debug, Clone, Default, Args)]
 pub(crate) struct CheckedArgs {
     #[command(flatten)]
     pub(crate) scene: SceneArgs,
@@ -52,9 +52,10 @@ pub(crate) enum Indeterminate {
 }
 
 /// Which positions are checked.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Checks {
     /// All up to 360; of more, 360 spread over the cycle, with the greatest values and the worst condition among them
+    #[default]
     Sample,
     /// All, however many
     All,
@@ -73,9 +74,10 @@ impl From<Checks> for Coverage {
 }
 
 /// Form of results.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Format {
     /// Tables to read
+    #[default]
     Text,
     /// One JSON object, SI units, all digits
     Json,

@@ -36,12 +36,8 @@ pub(crate) fn calculated(session: &Session, options: &Options, style: Style) -> 
 }
 
 /// Tells what the motion of a scene shows to be probably not meant, or refuses it where that is an error.
-pub(crate) fn warn_of_motion(
-    session: &Session,
-    calculation: &Calculation,
-    style: Style,
-) -> Result<(), Fault> {
-    warn(session, &calculation.mistakes(), style)
+pub(crate) fn warn_of_motion(session: &Session, found: &Calculation, style: Style) -> Result<(), Fault> {
+    warn(session, &found.mistakes(), style)
 }
 
 /// Tells what is probably not meant in a scene, or refuses it where that is an error.

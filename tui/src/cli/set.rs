@@ -106,11 +106,12 @@ fn parameters(row: &str, result: &Path) -> Result<Vec<(String, f64)>, Fault> {
     let refused = |problem: Text| Fault::from(files::FileError::read(result, problem));
     let row: usize =
         row.parse().map_err(|_| Fault::Other(text!("cli-row-number", row = name(row.to_owned()))))?;
+    let missing = || refused(text!("cli-no-row", row = assur_words::number(row)));
     if result.extension().is_some_and(|end| end.eq_ignore_ascii_case("parquet")) {
         let file = std::fs::File::open(result)
             .map_err(|error| files::FileError::read(result, assur_words::text_of(&error)))?;
         let found = assur_parquet::sweep::parameters(file, row).map_err(Fault::told)?;
-        return found.ok_or_else(|| refused(text!("cli-no-row", row = assur_words::number(row))));
+        return found.ok_or_else(missing);
     }
     let table = files::read(result)?;
     let mut lines = table.trim_start_matches('\u{feff}').lines();
@@ -122,10 +123,7 @@ fn parameters(row: &str, result: &Path) -> Result<Vec<(String, f64)>, Fault> {
         let semicolons = header.iter().any(|cell| cell.contains(';'));
         refused(if semicolons { text!("cli-semicolons") } else { text!("cli-no-sweep") })
     })?;
-    let line = lines
-        .nth(row)
-        .map(cells)
-        .ok_or_else(|| refused(text!("cli-no-row", row = assur_words::number(row))))?;
+    let line = lines.nth(row).map(cells).ok_or_else(missing)?;
     let numbers = line.iter().take(count).map(|cell| cell.parse::<f64>().ok());
     let numbers = numbers.collect::<Option<Vec<_>>>().ok_or_else(|| refused(text!("cli-no-sweep")))?;
     Ok(header.into_iter().zip(numbers).collect())

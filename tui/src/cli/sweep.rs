@@ -125,23 +125,15 @@ fn sweep(args: &SweepArgs, style: Style) -> Result<Sweep, Fault> {
     let ties = args.tie.iter().map(|tie| Tie::parse(tie)).collect::<Result<_, _>>().map_err(fault)?;
     let targets = args.target.iter().map(|target| Target::parse(target)).collect::<Result<_, _>>();
     let targets = targets.map_err(fault)?;
-    let request = SweepRequest {
-        points,
-        ties,
-        targets,
-        measures,
-        between: args.between,
-        options: scene::options(&args.methods, false)?,
-    };
+    let options = scene::options(&args.methods, false)?;
+    let request = SweepRequest { points, ties, targets, measures, between: args.between, options };
     let text = scene::open(&args.scene, style)?.text;
     let vary = args.vary.iter().map(|vary| Vary::parse(vary, points)).collect::<Result<Vec<_>, _>>();
     let file = args.scene.display().to_string();
     let sweep = Sweep::of(&file, &text, &vary.map_err(fault)?, request).map_err(fault)?;
     let warnings = sweep.warnings().into_iter();
-    scene::tell_all(
-        warnings.map(|(at, note)| text!("cli-sweep-doubt", point = at, note = note)).collect(),
-        style,
-    )?;
+    let told = warnings.map(|(point, note)| text!("cli-sweep-doubt", point, note));
+    scene::tell_all(told.collect(), style)?;
     Ok(sweep)
 }
 
@@ -169,14 +161,8 @@ impl<'a> Job<'a> {
         let (part, parts) = args.shard.unwrap_or((NonZeroU32::MIN, NonZeroU32::MIN));
         let [part, parts] = [part, parts].map(|number| number.get() as usize);
         let threads = args.threads.or_else(|| std::thread::available_parallelism().ok());
-        Self {
-            scene: &args.scene,
-            sweep,
-            points: sweep.part(part, parts),
-            is_first: part == 1,
-            threads: threads.unwrap_or(NonZeroUsize::MIN),
-            style,
-        }
+        let (points, threads) = (sweep.part(part, parts), threads.unwrap_or(NonZeroUsize::MIN));
+        Self { scene: &args.scene, sweep, points, is_first: part == 1, threads, style }
     }
 
     /// What the rows take as CSV, at most about.

@@ -129,12 +129,8 @@ fn keys(entry: &Entry<'_>, command: &'static Command) -> Vec<Written> {
 }
 
 /// Two commands with one key: shown at the later one that the file has.
-fn fault(
-    (key, view, both): (Key, View, [&'static Command; 2]),
-    written: &[Written],
-    table: &Entry<'_>,
-) -> Fault {
-    let at = |name: &str| written.iter().find(|written| written.command == name && written.key == key);
+fn fault((key, view, both): (Key, View, [&'static Command; 2]), own: &[Written], table: &Entry<'_>) -> Fault {
+    let at = |name: &str| own.iter().find(|written| written.command == name && written.key == key);
     let [one, two] = both;
     let (here, other) = match (at(one.name), at(two.name)) {
         (Some(first), Some(second)) if first.span.start > second.span.start => (Some(first), two),

@@ -98,15 +98,9 @@ pub(crate) struct Inbox {
 impl Inbox {
     /// An empty one; `ends`: the keys that end the program whatever is open, `end`: ends it beside the loop.
     pub(crate) fn new(ends: Vec<Key>, end: impl Fn() + Send + Sync + 'static) -> Arc<Self> {
-        let free = AtomicBool::new(true);
-        Arc::new(Self {
-            waiting: Mutex::default(),
-            came: Condvar::new(),
-            ends,
-            end: Box::new(end),
-            asked: AtomicUsize::new(0),
-            free,
-        })
+        let (waiting, came) = (Mutex::default(), Condvar::new());
+        let (asked, free) = (AtomicUsize::new(0), AtomicBool::new(true));
+        Arc::new(Self { waiting, came, ends, end: Box::new(end), asked, free })
     }
 
     pub(crate) fn send(&self, event: Event) {

@@ -49,18 +49,13 @@ pub(crate) fn answer(sequence: &[u8]) -> Option<Answer> {
 
 /// The bytes that show pictures in place of those before, each with its place on the terminal; `cell`: width and height of a
 /// cell in pixels.
-pub(crate) fn bytes(
-    pictures: &[(Figure, Rect)],
-    way: Pictures,
-    cell: [f64; 2],
-    language: &Language,
-) -> String {
+pub(crate) fn bytes(shown: &[(Figure, Rect)], way: Pictures, cell: [f64; 2], language: &Language) -> String {
     // The cursor stays where it is.
     let mut text = "\x1b7".to_owned();
     if way == Pictures::Kitty {
         text.push_str("\x1b_Ga=d,d=A,q=2\x1b\\");
     }
-    for (figure, area) in pictures {
+    for (figure, area) in shown {
         let mm = svg::EM / (LETTERS * cell[1]);
         let size = [f64::from(area.width) * cell[0] * mm, f64::from(area.height) * cell[1] * mm];
         let Ok(picture) = png::write(figure, size, language) else { continue };

@@ -44,11 +44,8 @@ pub(crate) fn run(job: &Job, tell: &dyn Fn(Report)) -> Report {
         Job::Note { session, options, path } => Report::Noted(path.clone(), note(session, options)),
         Job::Calculate(request) => {
             let tell = |outcome| tell(Report::Calculated(request.number, outcome));
-            let mut watch = Watch {
-                cancel: &request.cancel,
-                tell: &|count| tell(Outcome::Count(count)),
-                last: Instant::now(),
-            };
+            let count = |count| tell(Outcome::Count(count));
+            let mut watch = Watch { cancel: &request.cancel, tell: &count, last: Instant::now() };
             let last = if request.purpose == Purpose::Measurement {
                 Outcome::Measured(Box::new(measure(request, &mut watch)))
             } else {

@@ -90,11 +90,7 @@ fn area(figure: &Figure, index: usize, [width, height]: [u16; 2]) -> [u16; 4] {
     let rows = short(figure.rows().max(1));
     let (row, column) = (short(index) / columns, short(index) % columns);
     let left = |column: u16| width / columns * column + (width % columns).min(column);
-    let below = |row: u16| {
-        let at = usize::from(row) * figure.columns.max(1);
-        let shown = figure.panels.get(at).is_some_and(|panel| matches!(panel.frame, Frame::Axes { .. }));
-        if shown && figure.shows_axis(at) { axes::BELOW } else { 0 }
-    };
+    let below = |row: u16| if figure.has_axis_below(row.into()) { axes::BELOW } else { 0 };
     let room = height.saturating_sub((0..rows).map(below).sum());
     let top = |row: u16| room / rows * row + (room % rows).min(row) + (0..row).map(below).sum::<u16>();
     [left(column), top(row), left(column + 1) - left(column), top(row + 1).min(height) - top(row).min(height)]

@@ -67,14 +67,9 @@ pub fn cell_width(panel: &Panel, [width, height]: [u16; 2], look: Look) -> Optio
 }
 
 /// The point of the plane in the middle of a cell of a panel of so many columns and rows; `None` outside its drawing.
-pub fn point_at(
-    panel: &Panel,
-    [width, height]: [u16; 2],
-    look: Look,
-    [column, row]: [u16; 2],
-) -> Option<Point> {
+pub fn point_at(panel: &Panel, size: [u16; 2], look: Look, [column, row]: [u16; 2]) -> Option<Point> {
     let Frame::Plane { bounds, .. } = &panel.frame else { return None };
-    let [above, below] = around(panel, [width, height], look);
+    let ([width, height], [above, below]) = (size, around(panel, size, look));
     let rows = height.checked_sub(above + below)?;
     let row = row.checked_sub(above).filter(|row| *row < rows && column < width)?;
     let map = Map::fit(bounds, [width, rows], look);

@@ -6,7 +6,7 @@ use assur_kinematics::Position;
 use assur_mechanism::LinkId;
 use assur_words::text;
 
-use super::{Drawing, hull};
+use super::Drawing;
 use crate::model::{Ink, Item, Point, Stroke};
 
 /// A gap below this part of the size of the mechanism is none.
@@ -43,9 +43,7 @@ impl Drawing<'_> {
         }
         let mut items = Vec::new();
         for &link in &group.frame.links {
-            let outline: Vec<Point> =
-                hull(&self.features(link)).into_iter().map(|at| bodies[link].point(at)).collect();
-            items.extend(self.body(outline, link));
+            items.extend(self.body(self.outline(link, &bodies[link]), link));
         }
         for ends in group.frame.pairs().map(|pair| open(pair, &bodies)) {
             if (ends[1][0] - ends[0][0]).hypot(ends[1][1] - ends[0][1])

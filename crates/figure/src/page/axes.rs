@@ -32,12 +32,9 @@ pub(super) fn elements(
     let above = LINE * elements.len().max(1) as f64;
     let free = room.height - above - below - BORDER;
     let ticks = upright_ticks(&vertical, free);
-    let plot = Room {
-        left: room.left + numbers + 0.5 * EM,
-        top: room.top + above,
-        width: room.width - numbers - 0.5 * EM - 2.0 * BORDER,
-        height: free,
-    };
+    let (left, top) = (room.left + numbers + 0.5 * EM, room.top + above);
+    let width = room.width - numbers - 0.5 * EM - 2.0 * BORDER;
+    let plot = Room { left, top, width, height: free };
     let place = |at: Point| {
         [plot.left + x.part(at[0]) * plot.width, plot.top + (1.0 - vertical.part(at[1])) * plot.height]
     };
@@ -83,13 +80,8 @@ pub(super) fn numbers(figure: &Figure, room: Room, language: &Language) -> f64 {
         Frame::Axes { y, .. } => Some(widened(y)),
         Frame::Plane { .. } => None,
     });
-    let widest = |axis: Axis| {
-        upright_ticks(&axis, height)
-            .iter()
-            .map(|(_, text)| text_width(&text.render(language)))
-            .fold(0.0, f64::max)
-    };
-    axes.map(widest).fold(0.0, f64::max)
+    let ticks = axes.flat_map(|axis| upright_ticks(&axis, height));
+    ticks.map(|(_, text)| text_width(&text.render(language))).fold(0.0, f64::max)
 }
 
 /// The ticks of a vertical axis of this height, mm; two at least, from which its scale is seen.

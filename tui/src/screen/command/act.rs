@@ -81,11 +81,8 @@ pub(super) fn pace(state: &mut State, by: isize) {
 pub(super) fn join(state: &mut State) {
     let Some(scene) = &state.scene else { return };
     let count = scene.linkage.structure.groups.len();
-    state.joined = match state.joined {
-        None => Some(0),
-        Some(joined) if joined + 1 < count => Some(joined + 1),
-        Some(_) => None,
-    };
+    let next = state.joined.map_or(0, |joined| joined + 1);
+    state.joined = Some(next).filter(|next| *next < count);
     if let Some(group) = state.joined.and_then(|joined| joined.checked_sub(1)) {
         state.chosen.group = group;
     }

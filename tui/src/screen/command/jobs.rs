@@ -145,12 +145,8 @@ fn take_compared(state: &mut State, other: Box<Scene>) {
         if name == scene.session.source.short_name() {
             name = other.session.source.name();
         }
-        state.compared = Some(Compared {
-            name: words::name(name),
-            own: words::name(scene.session.source.short_name()),
-            results: Box::new(other.results),
-            before: false,
-        });
+        let [name, own] = [name, scene.session.source.short_name()].map(words::name);
+        state.compared = Some(Compared { name, own, results: Box::new(other.results), before: false });
     } else {
         let (other, own) = (other.positions(), scene.positions());
         let (scene, other, own) = (words::name(name), number(other), number(own));
@@ -236,13 +232,8 @@ fn show_change(state: &mut State, scene: Scene) {
     if !same || state.what_if.shown.is_empty() {
         state.compared.take_if(|compared| compared.before || !same);
     } else if state.compared.is_none() {
-        let compared = |old: Scene| Compared {
-            name: text!("say-before"),
-            own: Text::default(),
-            results: Box::new(old.results),
-            before: true,
-        };
-        state.compared = old.map(compared);
+        let (name, own) = (text!("say-before"), Text::default());
+        state.compared = old.map(|old| Compared { name, own, results: Box::new(old.results), before: true });
     }
     if let Some(other) = state.what_if.compared.clone() {
         ask_difference(state, Some(other));

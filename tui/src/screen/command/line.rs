@@ -53,13 +53,10 @@ fn files(typed: &str) -> Vec<String> {
     let place = if folder.is_empty() { "./".into() } else { write::home(folder) };
     let entries = std::fs::read_dir(place).into_iter().flatten().flatten();
     let path = |entry: std::fs::DirEntry| {
-        let name = entry
-            .file_name()
-            .into_string()
-            .ok()
-            .filter(|name| name.starts_with(begun) && !name.starts_with('.'))?;
+        let name = entry.file_name().into_string().ok()?;
+        let fits = name.starts_with(begun) && !name.starts_with('.');
         let is_folder = entry.path().is_dir();
-        (is_folder || entry.path().extension().is_some_and(|ending| ending == "toml"))
+        (fits && (is_folder || entry.path().extension().is_some_and(|ending| ending == "toml")))
             .then(|| format!("{folder}{name}{}", if is_folder { "/" } else { "" }))
     };
     let mut paths: Vec<String> = entries.filter_map(path).collect();

@@ -33,11 +33,10 @@ pub(super) fn take(state: &mut State) {
         return state.say(Role::Bad, text!("say-mode-without-points"));
     };
     let way = scene.modes(group, 0).map_or(index, |modes| modes.number(index));
-    if whatif::assemble(state, &points) {
-        state.say(Role::Good, text!("say-mode-taken", mode = number(way)));
-    } else {
-        state.say(Role::Plain, text!("say-mode-is-taken", mode = number(way)));
-    }
+    let differs = whatif::assemble(state, &points);
+    let (role, id) =
+        if differs { (Role::Good, "say-mode-taken") } else { (Role::Plain, "say-mode-is-taken") };
+    state.say(role, text!(id, mode = number(way)));
     state.chosen.mode = None;
 }
 

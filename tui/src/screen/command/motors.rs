@@ -51,12 +51,8 @@ fn suitable(state: &State) -> Result<(Text, Vec<Choice>), Text> {
         Some([power, speed]) => (power, Some(speed)),
         None => (dynamics.figures.required_power, *max_speed),
     };
-    let request = SelectionRequest {
-        required_power,
-        input_speed: dynamics.figures.mean_speed,
-        max_motor_speed,
-        characteristic: *characteristic,
-    };
+    let (input_speed, characteristic) = (dynamics.figures.mean_speed, *characteristic);
+    let request = SelectionRequest { required_power, input_speed, max_motor_speed, characteristic };
     let filter = MotorFilter { catalogue: catalogue.clone(), ..MotorFilter::default() };
     let all = catalogues().and_then(|all| list_motors(&all, &filter)).map_err(|error| error.describe())?;
     let found = select(all, &request).map_err(|error| error.describe())?;

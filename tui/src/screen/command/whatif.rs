@@ -79,12 +79,8 @@ pub(super) fn ask(state: &mut State) {
         return;
     }
     what.reading = Reading::Runs;
-    let change = Change {
-        opening: what.opening,
-        edits: what.wanted.clone(),
-        session: Arc::clone(&scene.session),
-        text: what.changed_text(),
-    };
+    let (edits, session, text) = (what.wanted.clone(), Arc::clone(&scene.session), what.changed_text());
+    let change = Change { opening: what.opening, edits, session, text };
     jobs::read(state, Wanted::Change(change));
 }
 

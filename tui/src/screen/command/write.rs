@@ -118,10 +118,8 @@ fn numbers(state: &State, scene: &Scene, figure: Option<&Figure>) -> Result<Vec<
         (View::Checks, _, Some(found)) => {
             let header = ["check", "residual", "limit", "where", "position", "ok"];
             let checks = &found.analysis.checks;
-            let words: Vec<_> = checks
-                .iter()
-                .map(|check| [&check.name, &check.finding.place].map(ToString::to_string))
-                .collect();
+            let words_of = |check: &Check| [&check.name, &check.finding.place].map(ToString::to_string);
+            let words: Vec<_> = checks.iter().map(words_of).collect();
             let rows = checks.iter().zip(&words).map(|(check, words)| row(check, words));
             bytes(csv::write(&header, rows, false))
         }

@@ -156,10 +156,8 @@ impl WhatIf {
         let wanted = self.wanted.iter().filter_map(|(index, toml)| Some((span(index)?, toml.as_str())));
         // What stands within a table that is replaced goes with it.
         let within = |inner: &Range<usize>| {
-            let outer = self.wanted.keys().filter_map(span);
-            outer
-                .into_iter()
-                .any(|outer| outer != inner && outer.start <= inner.start && inner.end <= outer.end)
+            let mut all = self.wanted.keys().filter_map(span);
+            all.any(|outer| outer != inner && outer.start <= inner.start && inner.end <= outer.end)
         };
         replaced(&self.text, wanted.filter(|(span, _)| !within(span)))
     }

@@ -17,32 +17,24 @@ pub(crate) fn replace(buffer: &mut Buffer) {
     }
 }
 
+/// The nearest character in one cell: of what the screen draws, else the first letter of its spelling in ASCII.
 fn nearest(c: char) -> char {
     match c {
-        c if c.is_ascii() => c,
-        '─' | '━' | '–' | '—' | '╌' | '−' => '-',
-        '│' | '┃' | '╎' => '|',
-        '┌' | '┐' | '└' | '┘' | '├' | '┤' | '┬' | '┴' | '┼' | '╭' | '╮' | '╰' | '╯' => {
-            '+'
-        }
-        '█' | '▀' | '▄' | '▌' | '▐' => '#',
-        '░' | '▒' | '▓' => ':',
-        '→' | '▶' => '>',
-        '←' | '◀' => '<',
-        '↑' | '▲' => '^',
-        '↓' | '▼' => 'v',
+        '─' => '-',
+        '┌' | '┐' | '└' | '┘' => '+',
+        '█' | '▀' | '▄' => '#',
+        '→' => '>',
+        '←' => '<',
+        '↑' => '^',
+        '↓' => 'v',
         '╱' => '/',
-        '╲' => '\\',
         '°' => 'o',
         '²' => '2',
         '³' => '3',
         '×' => 'x',
-        '·' | '•' | '∙' | '…' => '.',
-        '’' | '‘' => '\'',
-        '“' | '”' => '"',
-        '\u{2801}'..='\u{28ff}' => '*',
+        '·' | '•' => '.',
         '\u{2800}' => ' ',
-        // In one cell the first letter; anything unknown is a question mark.
+        '\u{2801}'..='\u{28ff}' => '*',
         other => to_ascii(&other.to_string()).chars().next().unwrap_or(' '),
     }
 }

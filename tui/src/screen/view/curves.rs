@@ -41,11 +41,8 @@ pub(crate) fn position_at(state: &State, area: Rect, [column, row]: [u16; 2]) ->
     let charts =
         if state.picked.is_empty() { parts(area)[1] } else { parts_of_picked(state, scene, area)[1] };
     let cell = [column.checked_sub(charts.x)?, row.checked_sub(charts.y)?];
-    let value = assur_figure::cells::value_at(
-        &figure(scene, &state.pictured()),
-        [charts.width, charts.height],
-        cell,
-    )?;
+    let size = [charts.width, charts.height];
+    let value = assur_figure::cells::value_at(&figure(scene, &state.pictured()), size, cell)?;
     let distance = |position: &usize| (scene.coordinate_at(*position as f64) - value).abs();
     (0..scene.positions()).min_by(|one, other| distance(one).total_cmp(&distance(other)))
 }

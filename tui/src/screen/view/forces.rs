@@ -84,7 +84,7 @@ fn draw_causes(pen: &mut Pen<'_>, scene: &Scene, found: &Found, area: Rect) {
     let below = Rect { y: area.y + 1, height: area.height.saturating_sub(1), ..area };
     // Header, sum and total are always shown.
     let room = usize::from(below.height).saturating_sub(4);
-    let table = table_of_causes(found, split, reaction, &parts, room);
+    let table = causes(found, split, reaction, &parts, room);
     let lines = page::told(state, area.width.saturating_sub(2), |page| page.table(table));
     let rows = Constraint::Length(short(lines.len() + 1).min(below.height));
     let [rows, below] = Layout::vertical([rows, Constraint::Min(0)]).areas(below);
@@ -93,13 +93,7 @@ fn draw_causes(pen: &mut Pen<'_>, scene: &Scene, found: &Found, area: Rect) {
 }
 
 /// A row for each cause, their sum, and the total of the analyzer. Causes without room in so many rows are summarized.
-fn table_of_causes(
-    found: &Found,
-    split: &Split,
-    reaction: &Reaction,
-    parts: &[CauseShare],
-    room: usize,
-) -> Table {
+fn causes(found: &Found, split: &Split, reaction: &Reaction, parts: &[CauseShare], room: usize) -> Table {
     let head = if reaction.of.is_some() { name("M") } else { Text::default() };
     let is_moment = reaction.of.is_some() || found.analysis.input.balancing_is_moment;
     let last = Column::short(head, Unit::load(is_moment));
@@ -110,11 +104,8 @@ fn table_of_causes(
     let clean = |value: f64| beside(greatest, value);
     let cells = |part: CauseShare| {
         let force = part.force.map(|force| force.map(clean));
-        row(
-            part.cause,
-            force,
-            part.scalar.map_or_else(|| Text::default().into(), |value| clean(value).into()),
-        )
+        let scalar = part.scalar.map_or_else(|| Text::default().into(), |value| clean(value).into());
+        row(part.cause, force, scalar)
     };
     let single = if parts.len() > room { room.saturating_sub(1) } else { parts.len() };
     let numbered = parts.iter().enumerate().take(single).map(|(index, part)| CauseShare {

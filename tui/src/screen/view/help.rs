@@ -66,24 +66,21 @@ pub(super) fn draw(pen: &mut Pen<'_>, area: Rect) {
 fn rows(state: &State, help: &Help) -> Vec<Pieces> {
     let wanted = help.filter.text.to_lowercase();
     let mut rows = Vec::new();
-    let add_section = |rows: &mut Vec<Pieces>, title: Text, found: &mut dyn Iterator<Item = Pieces>| {
-        let mut found = found.peekable();
-        if found.peek().is_some() {
-            rows.push(vec![(0, Role::Header, state.told(title))]);
-            rows.extend(found);
-            rows.push(Vec::new());
-        }
-    };
     let languages = state.told(text!("help-language"));
     if languages.to_lowercase().contains(&wanted) {
         rows.push(vec![(0, Role::Plain, languages)]);
     }
-    for (group, id) in Group::ALL {
-        let of_group = state.commands.iter().filter(|command| command.group == group);
-        add_section(&mut rows, text!(id), &mut of_group.flat_map(|command| rows_of(state, command, &wanted)));
+    let of_group = |(group, id): (Group, &'static str)| {
+        let commands = state.commands.iter().filter(|command| command.group == group);
+        (id, commands.flat_map(|command| rows_of(state, command, &wanted)).collect())
+    };
+    let words: Vec<_> = GLOSSARY.iter().flat_map(|word| rows_of_word(state, word, &wanted)).collect();
+    let sections = Group::ALL.into_iter().map(of_group).chain([("group-words", words)]);
+    for (title, found) in sections.filter(|(_, found)| !found.is_empty()) {
+        rows.push(vec![(0, Role::Header, state.told(text!(title)))]);
+        rows.extend(found);
+        rows.push(Vec::new());
     }
-    let words_of = |word: &&'static str| rows_of_word(state, word, &wanted);
-    add_section(&mut rows, text!("group-words"), &mut GLOSSARY.iter().flat_map(words_of));
     if rows.is_empty() && !wanted.is_empty() {
         let sought = name((*help.filter.text).to_owned());
         rows.push(vec![(0, Role::Bad, state.told(text!("say-not-found", text = sought)))]);

@@ -73,10 +73,8 @@ fn list_of_plan(pen: &mut Pen<'_>, plan: &VectorPlan, list: Rect) {
 fn list_of_steps(pen: &mut Pen<'_>, construction: &Construction, last: usize, list: Rect) {
     let state = pen.state;
     let width = usize::from(list.width.max(12)) - 2;
-    let mut rows: Vec<(Role, String)> = wrapped(&state.told(construction.title.clone()), width)
-        .into_iter()
-        .map(|line| (Role::Header, line))
-        .collect();
+    let title = wrapped(&state.told(construction.title.clone()), width).into_iter();
+    let mut rows: Vec<(Role, String)> = title.map(|line| (Role::Header, line)).collect();
     let next = state.keys.first("next-step");
     let [now, count] = [last + 1, construction.steps.len()].map(number);
     let told = text!("plans-step-of", step = now, count = count, key = name(next));

@@ -39,28 +39,22 @@ pub(super) fn draw(pen: &mut Pen<'_>, scene: &Scene, area: Rect) {
     );
     pen.tell(top, 1, 1, mobility, Role::Plain);
     if let Some((group, health, at)) = scene.nearest_group() {
-        let nearest = text!(
-            "structure-nearest",
-            determinant = number(digits(health, LEAST)),
-            position = number(at),
-            group = groups.group_name(&scene.linkage.mechanism, group),
-        );
+        let (determinant, position) = (number(digits(health, LEAST)), number(at));
+        let group = groups.group_name(&scene.linkage.mechanism, group);
+        let nearest = text!("structure-nearest", determinant, position, group);
         pen.put(top, 1, 2, &head(&state.told(nearest)), Role::Plain);
     }
     let lines = lines(state, scene, tree.width.saturating_sub(2));
-    let first = lines.iter().position(|line| line.0).unwrap_or(0);
+    let first = lines.iter().position(|line| line.0 == Role::Cursor).unwrap_or(0);
     let height = usize::from(tree.height);
     let skip = (first + 10).saturating_sub(height).min(lines.len().saturating_sub(height));
-    for (row, (chosen, text)) in lines.iter().skip(skip).take(height).enumerate() {
-        let role = if *chosen { Role::Cursor } else { Role::Plain };
-        let wide = Rect { width: tree.width.saturating_sub(1), ..tree };
-        pen.put(wide, 1, short(row), text, role);
-    }
+    let tree = Rect { width: tree.width.saturating_sub(1), ..tree };
+    pen.put_lines(tree, 1, lines.iter().skip(skip).take(height));
     pen.paint_zoomed(&structure(scene, &state.pictured()), state.zoom, drawing);
 }
 
-/// The tree; the heading of the chosen group is flagged, and only that group is expanded.
-fn lines(state: &State, scene: &Scene, width: u16) -> Vec<(bool, String)> {
+/// The tree; only the chosen group is expanded.
+fn lines(state: &State, scene: &Scene, width: u16) -> Vec<(Role, String)> {
     let linkage = &scene.linkage;
     let mechanism = &linkage.mechanism;
     let input = &mechanism.links[mechanism.input.link].name;
@@ -68,22 +62,22 @@ fn lines(state: &State, scene: &Scene, width: u16) -> Vec<(bool, String)> {
         assur_mechanism::InputPair::Pin(point) => &mechanism.points[point].name,
         assur_mechanism::InputPair::Slide(slide) => &mechanism.slides[slide].name,
     };
-    let mut lines = vec![(false, state.told(text!("structure-input", link = input, ground = pair)))];
+    let mut lines = vec![(Role::Plain, state.told(text!("structure-input", link = input, ground = pair)))];
     if let Some(joined) = state.joined {
         let with = (1..=joined).map(|group| text!("structure-with-group", group = number(group)));
         let (with, next) = (words::joined("", with), name(state.keys.first("join")));
-        lines.push((false, state.told(text!("structure-drawn", groups = with, key = next))));
+        lines.push((Role::Plain, state.told(text!("structure-drawn", groups = with, key = next))));
     }
     let room = usize::from(width).saturating_sub(INDENT);
     let indented = |text: Text, indent: usize| {
         let rows = wrapped(&state.told(text), room).into_iter();
-        rows.map(move |line| (false, format!("{:indent$}{line}", "")))
+        rows.map(move |line| (Role::Plain, format!("{:indent$}{line}", "")))
     };
     for (index, group) in linkage.structure.groups.iter().enumerate() {
         let chosen = index == state.chosen.group;
-        let sign = if chosen { "> " } else { "  " };
+        let (sign, role) = if chosen { ("> ", Role::Cursor) } else { ("  ", Role::Plain) };
         let named = state.told(linkage.structure.group_name(mechanism, index));
-        lines.push((chosen, cut(&format!("{sign}{named}"), width.into())));
+        lines.push((role, cut(&format!("{sign}{named}"), width.into())));
         if let Some((health, at)) = scene.least_health(index) {
             let (least, at) = (number(digits(health, LEAST)), number(at));
             lines.extend(indented(text!("structure-least", determinant = least, position = at), INDENT));

@@ -120,9 +120,8 @@ fn results(state: &State) -> Vec<String> {
     let old = results_of(state, &before.results);
     let row = |(what, new): Finding| {
         let (_, old) = old.iter().find(|(known, _)| *known == what)?;
-        let change =
-            if *old == 0.0 { String::new() } else { format!("{:+.1}", 1e2 * (new - old) / old.abs()) };
-        let change = state.told(number(change)) + if *old == 0.0 { "" } else { " %" };
+        let part = || format!("{:+.1}", 1e2 * (new - old) / old.abs());
+        let change = if *old == 0.0 { String::new() } else { state.told(number(part())) + " %" };
         let [old, new] = [*old, new].map(|value| state.told(number(digits(value, DIGITS))));
         Some(format!("{:<NAME$}{old:>8} -> {new:<8}{change:>7}", cut(&state.told(what), NAME)))
     };
