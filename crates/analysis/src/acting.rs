@@ -89,7 +89,7 @@ pub(crate) fn shares(works: &[f64], work: f64) -> Works {
 
 /// Adds works to a sum, which is empty at first.
 pub(crate) fn add(sum: &mut Works, more: &[f64]) {
-    sum.resize(more.len(), 0.0);
+    sum.resize(sum.len().max(more.len()), 0.0);
     sum.iter_mut().zip(more).for_each(|(sum, work)| *sum += work);
 }
 

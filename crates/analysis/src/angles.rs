@@ -1,6 +1,6 @@
 //! Angles of links without jumps from position to position.
 
-use assur_kinematics::{Linkage, Position, continuous_angle, first_angle};
+use assur_kinematics::{Linkage, continuous_angle, first_angle};
 use assur_mechanism::LinkId;
 use assur_number::elementary;
 
@@ -97,16 +97,13 @@ impl Angles {
         let Some((from, mut angles)) = self.last.take() else {
             return self.followed.iter().map(|(column, _)| first_angle(table.values(*column)[row])).collect();
         };
-        linkage.each_between([from, coordinate], |position| self.join(&mut angles, position));
+        linkage.each_between([from, coordinate], |position| {
+            for (angle, (_, link)) in angles.iter_mut().zip(&self.followed) {
+                let body = &position.bodies[*link];
+                *angle = continuous_angle(elementary::atan2(body.s, body.c), *angle);
+            }
+        });
         angles
-    }
-
-    /// Replaces each angle by the equivalent one of a position that is nearest to it.
-    fn join(&self, angles: &mut [f64], position: &Position) {
-        for (angle, (_, link)) in angles.iter_mut().zip(&self.followed) {
-            let body = &position.bodies[*link];
-            *angle = continuous_angle(elementary::atan2(body.s, body.c), *angle);
-        }
     }
 }
 

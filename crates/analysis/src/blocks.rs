@@ -7,13 +7,10 @@ use assur_number::Lanes;
 use assur_words::{Describe, text};
 use rayon::prelude::*;
 
-use crate::families::Columns;
 use crate::filler::{Filler, Obstacle, instant};
-use crate::friction::jammed;
 use crate::progress::{Stopped, Watch, step};
 use crate::results::{Failure, Table};
-use crate::several::Several;
-use crate::{Calculation, Progress};
+use crate::{Calculation, Progress, families::Columns, friction::jammed, several::Several};
 
 /// Numbers in a block: a quarter of a megabyte, which the cache of a core holds together with their text.
 const NUMBERS: usize = 1 << 15;

@@ -10,9 +10,7 @@ use assur_mechanism::{Mechanism, Motion};
 use assur_structure::Structure;
 use assur_words::Text;
 
-use crate::plan::Plan;
-use crate::progress::Watch;
-use crate::{AnalysisError, InputMotion};
+use crate::{AnalysisError, InputMotion, plan::Plan, progress::Watch};
 
 /// The integrator that is used where none is named.
 pub const DEFAULT_INTEGRATOR: &str = assur_integrator::AUTO;
@@ -173,9 +171,7 @@ impl Calculation {
     pub fn state(&self, coordinate: f64) -> LoadState {
         self.motion.state(&self.linkage.mechanism, coordinate)
     }
-}
 
-impl Calculation {
     /// A sample of a transient motion by its number, and how many there are.
     pub fn sample(&self, number: usize) -> (Option<LoadState>, usize) {
         match &self.motion {

@@ -5,12 +5,8 @@ use assur_force::{LoadState, Loads, Side, tolerance};
 use assur_mechanism::Motion;
 use assur_number::Lanes;
 
-use crate::Calculation;
-use crate::angles::Angles;
-use crate::blocks::Blocks;
 use crate::filler::{Filler, instant};
-use crate::motion::InputMotion;
-use crate::results::Table;
+use crate::{Calculation, angles::Angles, blocks::Blocks, motion::InputMotion, results::Table};
 
 /// Most places between the positions: a formula of a load that changes more often is drawn as a curve.
 const MOST: usize = 1000;

@@ -9,11 +9,9 @@ use assur_force::{ForceError, Kinetostatics, LaneKinetostatics, LoadState};
 use assur_kinematics::{LanePosition, PositionError};
 use assur_number::Lanes;
 
-use crate::Calculation;
 use crate::families::{Columns, Rows, TableRows};
-use crate::joints::Joints;
 use crate::results::{Mask, Table};
-use crate::several::Several;
+use crate::{Calculation, joints::Joints, several::Several};
 
 /// A state of a motion that nothing holds.
 pub(crate) fn instant(state: LoadState) -> Instant {

@@ -10,9 +10,7 @@ use assur_structure::StructureError;
 use assur_words::{Describe, Text};
 use serde::Serialize;
 
-use crate::modes::GroupModes;
-use crate::results::StructureReport;
-use crate::results::structure::report;
+use crate::{modes::GroupModes, results::StructureReport, results::structure::report};
 
 /// Structure of a mechanism, and of the same links driven by another one.
 #[derive(Debug, Clone, PartialEq, Serialize)]

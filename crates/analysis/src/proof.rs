@@ -10,8 +10,7 @@ use assur_number::ROUNDING;
 use assur_number::quadrature::simpson;
 use assur_words::{Text, name, text};
 
-use crate::Calculation;
-use crate::motion::CYCLE_INTERVALS;
+use crate::{Calculation, motion::CYCLE_INTERVALS};
 
 /// Intervals of the quadrature of the work, multiples of four. A finer grid is tried only where the coarser one is inconclusive,
 /// and the finest only where the energies don't balance: a reduced inertia that nearly vanishes at a dead center makes the work

@@ -8,11 +8,8 @@ use assur_force::{LoadState, Side, beside};
 use assur_integrator::Sample;
 use assur_number::Lanes;
 
-use crate::acting::Acting;
-use crate::energies::by_load;
-use crate::filler::Filler;
 use crate::results::{Column, Quantity, Schema, Table};
-use crate::{Calculation, InputMotion};
+use crate::{Calculation, InputMotion, acting::Acting, energies::by_load, filler::Filler};
 
 impl Calculation {
     /// Left limits at the samples where a transient motion stops and is held: one row for each stop, under the number of its

@@ -6,12 +6,9 @@ use assur_force::{ForceError, LoadState};
 use assur_number::Lanes;
 use assur_words::{Describe, Text};
 
-use crate::angles::Angles;
 use crate::filler::{Filler, Obstacle, instant};
-use crate::motion::CYCLE_INTERVALS;
 use crate::progress::{Stopped, Watch, step};
-use crate::results::Table;
-use crate::{Calculation, InputMotion, Progress};
+use crate::{Calculation, InputMotion, Progress, angles::Angles, motion::CYCLE_INTERVALS, results::Table};
 
 /// The samples of a motion.
 pub(crate) struct Samples {

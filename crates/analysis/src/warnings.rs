@@ -11,11 +11,10 @@ use assur_integrator::Knob;
 use assur_mechanism::{Mechanism, Motion, Range, Warning};
 use assur_words::{Describe, Text, coordinate, joined, list, name, number, quantity, text};
 
-use crate::positions::MOST_FAILURES;
-use crate::results::Survey;
-use crate::several::Several;
-use crate::trajectory::WithoutForces;
-use crate::{Calculation, InputMotion, Options};
+use crate::{
+    Calculation, InputMotion, Options, positions::MOST_FAILURES, results::Survey, several::Several,
+    trajectory::WithoutForces,
+};
 
 /// What the calculated positions and samples show, as far as warnings need it.
 pub(crate) struct Seen<'a> {
@@ -60,9 +59,7 @@ impl Calculation {
             });
         }
         let (positions, samples) = (seen.at_change_points, seen.without_forces);
-        if !positions.is_empty() {
-            notes.push(text!("analysis-no-reactions", positions = positions.words()));
-        }
+        notes.extend(positions.note(|positions| text!("analysis-no-reactions", positions)));
         if samples.at_change_points > 0 {
             notes.push(text!("analysis-no-reactions-of-samples", count = samples.at_change_points));
         }
@@ -155,12 +152,12 @@ impl Listed {
         self.count
     }
 
-    pub(crate) fn is_empty(&self) -> bool {
-        self.count == 0
+    /// What is said of "position 3" or "positions 3, 11", if there are any.
+    pub(crate) fn note(&self, said: impl FnOnce(Text) -> Text) -> Option<Text> {
+        (self.count > 0).then(|| said(self.words()))
     }
 
-    /// "position 3", "positions 3, 11".
-    pub(crate) fn words(&self) -> Text {
+    fn words(&self) -> Text {
         let more = match self.count - self.first.len() {
             0 => Text::default(),
             more => text!("analysis-and-more", more),

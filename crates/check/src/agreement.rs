@@ -4,9 +4,8 @@ use assur_force::{AnalyzerPlugin, Reactions};
 use assur_words::{Text, name, text};
 
 use crate::case::{Case, largest};
-use crate::check::Collector;
-use crate::kinetics::ROUNDINGS;
 use crate::numbers::{SAFETY, SAMPLES, SPACING, rounding_of};
+use crate::{check::Collector, kinetics::ROUNDINGS};
 
 /// Numbers of one result: the balancing load, then three for each pair.
 type Numbers = Vec<f64>;

@@ -4,10 +4,8 @@ use assur_group::{Body, Pair, PairGeometry};
 use assur_kinematics::Linkage;
 use assur_words::{Text, text};
 
-use crate::check::Collector;
-use crate::elements::place_motion;
-use crate::kinetics::ROUNDINGS;
 use crate::subject::{Solved, Subject};
+use crate::{check::Collector, elements::place_motion, kinetics::ROUNDINGS};
 
 const NAMES: [Text; 3] = [text!("check-closure-pf0"), text!("check-closure-pf1"), text!("check-closure-pf2")];
 const REASON: Text = text!("check-closure-reason");

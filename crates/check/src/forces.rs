@@ -4,12 +4,10 @@ use assur_force::{Joint, LoadState, Loads, joints};
 use assur_group::Wrench;
 use assur_words::{Text, text};
 
-use crate::case::Case;
 use crate::check::{Collector, ForceResiduals};
-use crate::kinetics::ROUNDINGS;
 use crate::subject::{Solved, Subject};
 use crate::written::{Given, Items, Writer, given};
-use crate::{agreement, equilibrium, friction, power};
+use crate::{agreement, case::Case, equilibrium, friction, kinetics::ROUNDINGS, power};
 
 /// Why a position is skipped where all methods fail.
 const NO_ANSWER: Text = text!("check-no-answer");

@@ -4,8 +4,7 @@ use assur_force::Reactions;
 use assur_mechanism::{Friction, LinkId, Middle, PairId, Surfaces};
 
 use crate::case::{Case, largest};
-use crate::check::Collector;
-use crate::kinetics::ROUNDINGS;
+use crate::{check::Collector, kinetics::ROUNDINGS};
 
 /// The friction of a slide along its guide, N; 0 for another pair.
 pub(crate) fn along(reactions: &Reactions, pair: PairId) -> f64 {

@@ -3,8 +3,7 @@
 use assur_kinematics::{Linkage, Position};
 use assur_number::{Real, greater};
 
-use crate::elements::Element;
-use crate::kinetics;
+use crate::{elements::Element, kinetics};
 
 /// Levels that an extrapolation needs.
 const LEAST_LEVELS: usize = 4;

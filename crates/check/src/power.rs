@@ -6,9 +6,8 @@ use assur_group::Body;
 use assur_mechanism::PairId;
 use assur_words::{Text, name, text};
 
-use crate::case::Case;
-use crate::check::Collector;
 use crate::kinetics::{self, ROUNDINGS, rounding_of_sum};
+use crate::{case::Case, check::Collector};
 
 /// Why the drive is not compared there.
 const ON_A_JUMP: Text = text!("check-on-a-jump");

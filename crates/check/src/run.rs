@@ -7,13 +7,9 @@ use assur_force::{LoadState, Loads};
 use assur_kinematics::Linkage;
 use rayon::prelude::*;
 
-use crate::Chosen;
 use crate::check::{Check, Collector, Residuals};
-use crate::closure::Closure;
-use crate::forces::Forces;
 use crate::subject::{Subject, methods};
-use crate::test_pf::TestPf;
-use crate::written::Writer;
+use crate::{Chosen, closure::Closure, forces::Forces, test_pf::TestPf, written::Writer};
 
 /// Positions times links from which on several threads work: some ten milliseconds of work.
 const MUCH: usize = 1024;

@@ -6,9 +6,7 @@ use assur_integrator::{EquationOfMotion, MotionError, Reduced, Sample, State};
 use assur_number::search::try_bisect;
 use serde::Serialize;
 
-use crate::Machine;
-use crate::friction::FrictionMoment;
-use crate::machine::load_state;
+use crate::{Machine, friction::FrictionMoment, machine::load_state};
 
 /// Speeds whose relative difference is below this are equal.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;

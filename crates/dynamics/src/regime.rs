@@ -10,11 +10,8 @@ use assur_motor::Motor;
 use assur_number::search::try_bisect;
 use serde::{Serialize, Serializer};
 
-use crate::friction::KnownMotion;
-use crate::machine::Watcher;
 use crate::scene::{Steady, chosen_motor, cycle_request, steady_motion};
-use crate::steady::CycleRequest;
-use crate::{DynamicsError, Machine};
+use crate::{DynamicsError, Machine, friction::KnownMotion, machine::Watcher, steady::CycleRequest};
 
 /// Finds the steady regime of a scene. The watcher sees every state that is evaluated and may stop the search with an
 /// error.

@@ -10,11 +10,10 @@ use assur_motor::{Characteristic, FlywheelSize, Motor, PassedOver, flywheel_size
 use assur_number::{elementary, search};
 use assur_words::{Describe, Text};
 
-use crate::friction::KnownMotion;
 use crate::machine::{Watched, Watcher};
 use crate::motor::{DriveMotor, SteadyMotor};
 use crate::steady::{CycleRequest, DriveRequest, Regime, RegimeSolver, TorqueRequest};
-use crate::{DynamicsError, Machine};
+use crate::{DynamicsError, Machine, friction::KnownMotion};
 
 /// The steady regime of a scene with its drive.
 #[derive(Debug, Clone)]

@@ -13,10 +13,8 @@ use assur_motor::MotorWarning;
 use assur_words::{Describe, Text};
 
 use crate::drive::{InputDrive, TorqueSource};
-use crate::instant::Instant;
 use crate::machine::{Watched, Watcher};
-use crate::motor::DriveMotor;
-use crate::{DynamicsError, Machine};
+use crate::{DynamicsError, Machine, instant::Instant, motor::DriveMotor};
 
 /// A transient motion.
 #[derive(Debug, Clone)]

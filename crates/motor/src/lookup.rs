@@ -3,8 +3,7 @@
 use assur_mechanism::appearance;
 use assur_words::{Text, name, text, to_ascii};
 
-use crate::error::names;
-use crate::{Motor, MotorError};
+use crate::{Motor, MotorError, error::names};
 
 /// How many designations an error shows.
 const SHOWN: usize = 5;
@@ -44,7 +43,9 @@ where
 /// What may have been meant: motors of a power that was given in place of a designation, else those named alike.
 fn hint<'a>(rows: impl IntoIterator<Item = &'a Motor> + Clone, designation: &str) -> Text {
     if let Some(power) = power(designation) {
-        let found: Vec<&Motor> = rows.clone().into_iter().filter(|m| same_power(m, power)).collect();
+        // Up to the rounding of the units.
+        let same = |m: &&Motor| (m.rated_power - power).abs() <= 1e-9 * power;
+        let found: Vec<&Motor> = rows.clone().into_iter().filter(same).collect();
         if !found.is_empty() {
             // As the command line reads it, in every language; to a milliwatt, without the rounding of the units.
             let power = name(((power * 1e3).round() / 1e6).to_string());
@@ -70,11 +71,6 @@ fn power(text: &str) -> Option<f64> {
         [("kW", 1e3), ("MW", 1e6), ("W", 1.0), ("кВт", 1e3), ("МВт", 1e6), ("Вт", 1.0)];
     let (digits, size) = UNITS.iter().find_map(|&(unit, size)| Some((text.strip_suffix(unit)?, size)))?;
     Some(digits.trim().replace(',', ".").parse::<f64>().ok()? * size)
-}
-
-/// Whether a motor is rated at that power, up to the rounding of the units.
-fn same_power(motor: &Motor, power: f64) -> bool {
-    (motor.rated_power - power).abs() <= 1e-9 * power
 }
 
 fn same_base(row: &str, asked: &str) -> bool {

@@ -6,9 +6,7 @@ use std::sync::OnceLock;
 use assur_words::{Text, name, number, text};
 use serde::Deserialize;
 
-use crate::lookup::normalize_latin;
-use crate::motor::rad_per_s;
-use crate::{Motor, MotorError};
+use crate::{Motor, MotorError, lookup::normalize_latin, motor::rad_per_s};
 
 /// Highest breakdown or starting torque ratio, or current ratio, that is accepted.
 const MOST_RATIO: f64 = 20.0;

@@ -5,9 +5,8 @@ use std::collections::BTreeSet;
 use assur_mechanism::{GROUND, Input, InputPair, Load, LoadId, LoadKind, Name};
 use assur_words::{Text, text};
 
-use crate::linkage::SceneLinks;
-use crate::units::Dimension;
 use crate::walk::{Entry, Section};
+use crate::{linkage::SceneLinks, units::Dimension};
 
 /// The dimension and meaning of an input's coordinate.
 pub(crate) fn coordinate_of(pair: InputPair) -> Dimension {
@@ -53,7 +52,7 @@ impl Context<'_> {
     /// Notes that a part of a load needs a motion, if the scene has none.
     pub(crate) fn need_motion(&self, entry: &Entry<'_>, what: Text) {
         if !self.moves {
-            entry.fault(text!("scene-needs-motion", what = what), text!("scene-add-motion"));
+            entry.fault(text!("scene-needs-motion", what), text!("scene-add-motion"));
         }
     }
 }

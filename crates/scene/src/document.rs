@@ -9,11 +9,9 @@ use toml::de::{DeTable, DeValue};
 pub use crate::error::Fault;
 pub use crate::walk::{Entry, Section};
 
-use crate::SceneErrors;
-use crate::error::Faults;
 use crate::scan::{MOST_TABLES, excess};
 use crate::text::{is_unprintable, shown};
-use crate::walk::Known;
+use crate::{SceneErrors, error::Faults, walk::Known};
 
 /// The greatest file that is read, in bytes: a scene has some kilobytes, a table of a hundred thousand rows some
 /// megabytes.
@@ -67,12 +65,12 @@ pub(crate) fn read_known<T>(
 ) -> Result<T, SceneErrors> {
     if text.len() > MOST_BYTES {
         let size = text.len().div_ceil(1 << 20);
-        let message = text!("scene-file-too-large", what = what, most = MOST_BYTES >> 20, size = size);
+        let message = text!("scene-file-too-large", what, most = MOST_BYTES >> 20, size);
         faults.add(0..0, message, text!("scene-right-file"));
         return Err(faults.into_errors(file_name, ""));
     }
     if let Some(at) = excess(text) {
-        let message = text!("scene-many-tables", what = what, most = MOST_TABLES);
+        let message = text!("scene-many-tables", what, most = MOST_TABLES);
         faults.add(at..at + 1, message, text!("scene-one-too-many"));
         return Err(faults.into_errors(file_name, text));
     }

@@ -8,10 +8,9 @@ use assur_mechanism::{
 
 use assur_words::{Text, name, text};
 
-use crate::context::Context;
 use crate::text::{brief, exclude, shown, such_as};
-use crate::units::Dimension;
 use crate::walk::{Entry, Section};
+use crate::{context::Context, units::Dimension};
 
 /// Keys that have a meaning only with a motor.
 const OF_THE_MOTOR: [&str; 5] = ["catalogue", "max_motor_speed", "characteristic", "ratio", "efficiency"];

@@ -173,7 +173,7 @@ impl Faults {
     pub(crate) fn check_name(&self, span: &Range<usize>, name: &str) {
         let count = name.chars().count();
         if count > LONGEST_NAME {
-            let message = text!("scene-long-name", name = shown(name), count = count, most = LONGEST_NAME);
+            let message = text!("scene-long-name", name = shown(name), count, most = LONGEST_NAME);
             self.add(span.clone(), message, text!("scene-take-shorter"));
         }
     }

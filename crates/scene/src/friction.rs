@@ -3,10 +3,9 @@
 use assur_mechanism::{Friction, GROUND, Middle, Motion, PairId, Surfaces};
 use assur_words::text;
 
-use crate::linkage::SceneLinks;
 use crate::text::{row, shown, such_as};
 use crate::walk::{Entry, Section};
-use crate::{reference, wishes};
+use crate::{linkage::SceneLinks, reference, wishes};
 
 /// The shortest length of contact, m: below it the moment of the guide is a couple of forces whose digits are lost.
 const LEAST_CONTACT: f64 = 1e-6;

@@ -4,12 +4,9 @@ use assur_formula::Used;
 use assur_mechanism::{GROUND, Inertia, Input, Key, LinkId, Mechanism, Motion, Until, VaryingInertia};
 use assur_words::{Text, name, text};
 
-use crate::edit::within;
-use crate::linkage::SceneLinks;
 use crate::text::{brief, shown};
-use crate::units::Dimension;
 use crate::value::{formula_with_unit, within_text};
-use crate::walk::Section;
+use crate::{edit::within, linkage::SceneLinks, units::Dimension, walk::Section};
 
 /// Reads the moment of inertia of a link, whose points are known.
 pub(crate) fn read(linkage: &SceneLinks, id: LinkId, section: &Section<'_>) -> Inertia {
@@ -35,7 +32,7 @@ fn formula(linkage: &SceneLinks, id: LinkId, link: &Section<'_>) -> Option<Inert
     }
     if let Some(switch) = formula.switches().first() {
         let function = shown(&formula.text()[switch.span.clone()]);
-        let message = text!("scene-inertia-not-smooth", function = function);
+        let message = text!("scene-inertia-not-smooth", function);
         let span = within_text(&entry, formula.text(), &switch.span);
         entry.faults.add(span, message, text!("scene-inertia-smooth"));
     }
@@ -59,7 +56,7 @@ pub(crate) fn refuse_impossible(root: &Section<'_>, mechanism: &Mechanism) {
         let Some((at, value)) = law.formula.not_positive_to(most / law.factor, way) else { continue };
         let rounded = |number: f64| brief((number * 1e6).round() / 1e6);
         let value = brief(value * law.factor);
-        let message = text!("scene-inertia-not-positive", value = value, at = rounded(at));
+        let message = text!("scene-inertia-not-positive", value, at = rounded(at));
         let key = Key::of("link").at(&link.name).at("inertia");
         if let Ok(inertia) = within(root.table(), key.steps()) {
             let label = text!("scene-inertia-positive", most = name(format!("{most:e} kg*m^2")));

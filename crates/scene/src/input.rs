@@ -6,12 +6,9 @@ use assur_mechanism::{GROUND, Input, InputPair, LinkId, Range, Sense};
 
 use assur_words::{name, number, quantity, text};
 
-use crate::context::coordinate_of;
-use crate::linkage::SceneLinks;
-use crate::reference;
 use crate::text::{exclude, rounded, row, shown};
-use crate::units::Dimension;
 use crate::walk::{Entry, Section};
+use crate::{context::coordinate_of, linkage::SceneLinks, reference, units::Dimension};
 
 /// Positions take no memory, but time and a place on a disk: more would fill terabytes.
 const MOST: usize = 1_000_000_000;
@@ -85,7 +82,7 @@ fn range(section: &Section<'_>, dimension: Option<Dimension>, from: f64, positio
             #[expect(clippy::cast_precision_loss, reason = "few positions divide a turn into whole degrees")]
             let apart = quantity(rounded(360.0 / (positions - 1) as f64), "deg");
             let (count, more) = (number(positions), number(positions + 1));
-            let text = text!("scene-list-repeats", positions = count, apart = apart, more = more);
+            let text = text!("scene-list-repeats", positions = count, apart, more);
             entry.faults.mistake(entry.span.clone(), text);
         }
         return Range::To(to);

@@ -4,12 +4,9 @@ use assur_mechanism::{Contact, LinkId, LoadId, LoadKind, Place, PointId, Spring,
 
 use assur_words::{name, text};
 
-use crate::context::Context;
-use crate::linkage::pair;
 use crate::text::{row, shown};
-use crate::units::Dimension;
-use crate::value;
 use crate::walk::{Entry, Section, quoted};
+use crate::{context::Context, linkage::pair, units::Dimension, value};
 
 /// Reads a `[[spring]]`.
 pub(crate) fn spring(section: &Section<'_>, context: &Context<'_>, id: LoadId) -> Option<LoadKind> {

@@ -42,7 +42,7 @@ fn refuse(root: &Section<'_>, mut all: Vec<Entry<'_>>, most: usize, message: &'s
         return false;
     }
     all.sort_unstable_by_key(|part| part.key.start);
-    let message = text!(message, most = most, count = all.len());
+    let message = text!(message, most, count = all.len());
     root.faults.add(all[most].key.clone(), message, text!("scene-one-too-many"));
     true
 }

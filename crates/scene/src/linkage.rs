@@ -144,7 +144,7 @@ impl SceneLinks {
                 (None, Some(_)) => text!("scene-all-of-them", what = words(what), names = row(known)),
             };
             let key = shown(&entry.name);
-            let message = text!("scene-no-such-part", key = key, what = words(what), name = shown(name));
+            let message = text!("scene-no-such-part", key, what = words(what), name = shown(name));
             Fault::new(entry.span.clone(), message).label(label)
         });
         None
@@ -207,7 +207,7 @@ impl SceneLinks {
             let near = nearest(name, known.clone());
             let label = if near.is_some() { did_you_mean(name, near) } else { self.listed(link) };
             let key = shown(&entry.name);
-            let message = text!("scene-no-point-on-link", key = key, link = shown(on), point = shown(name));
+            let message = text!("scene-no-point-on-link", key, link = shown(on), point = shown(name));
             return (message, label);
         };
         let holders = self.points[point].places.iter().map(|place| self.links[place.link].name.as_str());

@@ -6,11 +6,10 @@ use assur_mechanism::{
 };
 use assur_words::{Text, joined, text};
 
-use crate::edit::place;
 use crate::linkage::{SceneLinks, coordinates};
 use crate::text::{is_unprintable, row, shown, such_as};
 use crate::walk::{Entry, Section};
-use crate::{inertia, reference};
+use crate::{edit::place, inertia, reference};
 
 /// Reads the ground and the links; returns the first point of each link as well.
 pub(crate) fn read(root: &Section<'_>) -> (SceneLinks, Vec<Option<PointId>>) {
@@ -44,7 +43,7 @@ pub(crate) fn refuse_points(root: &Section<'_>, linkage: &SceneLinks) {
         let link = &linkage.links[id].name;
         let on_link = |point: &&Point| point.is_pin() && point.places.iter().any(|place| place.link == id);
         let pins = row(linkage.points.iter().filter(on_link).map(|pin| pin.name.as_str()));
-        let message = text!("scene-no-length", link = shown(link), pins = pins);
+        let message = text!("scene-no-length", link = shown(link), pins);
         if let Some(span) = place(root.table(), Key::of("link").at(link).steps()) {
             root.faults.add(span, message, text!("scene-give-length"));
         }

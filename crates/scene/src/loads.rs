@@ -7,11 +7,9 @@ use assur_words::{name, text};
 
 use crate::context::{Context, Sort};
 use crate::joints::{contact, spring};
-use crate::linkage::pair;
 use crate::text::{exclude, shown};
-use crate::units::Dimension;
-use crate::value;
 use crate::walk::{Section, quoted};
+use crate::{linkage::pair, units::Dimension, value};
 
 /// Reads `gravity`: a magnitude, straight down, or [gx, gy].
 pub(crate) fn gravity(root: &Section<'_>) -> Option<[f64; 2]> {

@@ -138,7 +138,7 @@ fn inertia(mechanism: &Mechanism, link: LinkId, size: f64, length: f64) -> Optio
     };
     let [radius, size] =
         [radius, if radius > size { size } else { length }].map(|length| quantity(rounded(length), "m"));
-    let text = text!(id, link = shown(&body.name), radius = radius, size = size);
+    let text = text!(id, link = shown(&body.name), radius, size);
     Some(Warning::mistake(key(mechanism, link).at("inertia"), text))
 }
 
@@ -161,7 +161,7 @@ fn masses(mechanism: &Mechanism) -> Vec<Warning> {
             let [own, others] = [mass, middle].map(|mass| quantity(rounded(mass), "kg"));
             let id = if heavy { "scene-far-heavier" } else { "scene-far-lighter" };
             let link_name = shown(&mechanism.links[link].name);
-            let text = text!(id, link = link_name, mass = own, others = others);
+            let text = text!(id, link = link_name, mass = own, others);
             Warning::mistake(key(mechanism, link).at("mass"), text)
         })
     };
@@ -215,7 +215,7 @@ fn center(mechanism: &Mechanism, link: LinkId, size: f64) -> Option<Warning> {
     let most = if is_pinned(mechanism, link) { FARTHEST_COUNTERWEIGHT } else { MOST_OF_A_COUPLER };
     (body.mass > 0.0 && away.is_finite() && away > most * size).then(|| {
         let [away, size] = [away, size].map(|length| quantity(rounded(length), "m"));
-        let text = text!("scene-far-center", link = shown(&body.name), distance = away, size = size);
+        let text = text!("scene-far-center", link = shown(&body.name), distance = away, size);
         Warning::mistake(key(mechanism, link).at("center"), text)
     })
 }

@@ -6,12 +6,11 @@ use assur_mechanism::{
 
 use assur_words::{Text, name as words, number, text};
 
-use crate::context::Context;
-use crate::error::Fault;
 use crate::reference::{Bound, table};
 use crate::text::{brief, did_you_mean, shown, such_as};
 use crate::units::{Dimension, UnitFault, is_bare, measures, quantity};
 use crate::walk::{Entry, Section};
+use crate::{context::Context, error::Fault};
 
 /// Steps of a motion that a scene may allow: hours of work.
 const MOST_STEPS: usize = 1_000_000_000;
@@ -55,10 +54,9 @@ fn refuse_other_kinds(section: &Section<'_>, kind: &'static str) {
             continue;
         }
         let owner = words(sorts.split(", ").next().unwrap_or(sorts));
-        let message =
-            text!("scene-other-motion", key = shown(&entry.name), owner = owner, kind = words(kind));
+        let message = text!("scene-other-motion", key = shown(&entry.name), owner, kind = words(kind));
         let keys = words(table.names(Some(kind)).collect::<Vec<_>>().join(", "));
-        let help = text!("scene-motion-knows", kind = words(kind), keys = keys);
+        let help = text!("scene-motion-knows", kind = words(kind), keys);
         section.faults.push(Fault::new(entry.key, message).help(help));
     }
 }
@@ -103,7 +101,7 @@ fn samples(section: &Section<'_>, context: &Context<'_>) -> Option<usize> {
     let samples = entry.count(1, MOST_SAMPLES)?;
     let most = (MOST_PARTS_SAMPLED / parts.max(1)).max(1);
     if samples > most {
-        let message = text!("scene-many-samples", most = number(most), parts = parts);
+        let message = text!("scene-many-samples", most = number(most), parts);
         entry.fault(message, text!("scene-kept-in-memory"));
     }
     Some(samples)

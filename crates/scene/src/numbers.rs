@@ -69,7 +69,7 @@ impl Entry<'_> {
         if !holds {
             let example = example(wanted);
             let label = match word {
-                Some(word) => text!("scene-example-or-word", example = example, word = name(word)),
+                Some(word) => text!("scene-example-or-word", example, word = name(word)),
                 None => example,
             };
             self.problem(text!(limit, got = self.written()), label);
@@ -157,7 +157,7 @@ impl Entry<'_> {
                 text!(
                     "scene-hardly-meant",
                     key = shown(&self.name),
-                    number = number,
+                    number,
                     unit = unit(wanted.si()),
                     is = with_unit((in_usual * 100.0).round() / 100.0, usual),
                     instead = instead

@@ -20,7 +20,7 @@ impl Describe for SceneErrors {
     fn describe(&self) -> Text {
         let shown = self.errors.iter().take(MOST).map(|error| one(self, error));
         let more = (self.errors.len() + self.more).saturating_sub(MOST);
-        let more = (more > 0).then(|| lines([text!("scene-more-faults", more = more)]));
+        let more = (more > 0).then(|| lines([text!("scene-more-faults", more)]));
         joined("\n", shown.chain(more))
     }
 }
@@ -29,7 +29,7 @@ fn one(errors: &SceneErrors, error: &SceneError) -> Text {
     let gutter = error.line.to_string().len();
     let (line, before, marked) = excerpt(&errors.text, error);
     let (file, row, column) = (name(printable(&errors.file)), error.line, error.column);
-    let place = text!("scene-place", file = file, line = row, column = column);
+    let place = text!("scene-place", file, line = row, column);
     let carets = name(format!("{:gutter$} | {:before$}{}", "", "", "^".repeat(marked.max(1))));
     let marked = [carets, error.label.clone()].into_iter().filter(|part| !part.is_empty());
     let help = error.help.iter().map(|help| joined(" ", [name(format!("{:gutter$} =", "")), help.clone()]));

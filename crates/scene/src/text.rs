@@ -92,7 +92,7 @@ pub(crate) fn listed(mut names: Vec<String>, most: usize) -> Text {
     let more = names.len().saturating_sub(most);
     names.truncate(most);
     let shown = name(names.join(", "));
-    if more == 0 { shown } else { text!("scene-and-more", names = shown, more = more) }
+    if more == 0 { shown } else { text!("scene-and-more", names = shown, more) }
 }
 
 /// A text of the scene with the quotes of TOML.
@@ -102,5 +102,5 @@ pub(crate) fn in_quotes(text: &str) -> Text {
 
 /// That two keys exclude each other.
 pub(crate) fn exclude([one, other]: [Text; 2]) -> Text {
-    text!("scene-exclude", one = one, other = other)
+    text!("scene-exclude", one, other)
 }

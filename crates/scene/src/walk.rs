@@ -174,7 +174,7 @@ impl<'a> Section<'a> {
             }
             if text.starts_with(char::is_alphabetic) {
                 let quantity = known.dimension(coordinate.or(Some(Dimension::Angle)))?.with_units();
-                let wanted = text!("scene-word-or", word = name(word), quantity = quantity);
+                let wanted = text!("scene-word-or", word = name(word), quantity);
                 entry.wants(wanted, in_quotes(text), did_you_mean(text, nearest(text, [word])));
                 return None;
             }
@@ -267,7 +267,7 @@ impl<'a> Entry<'a> {
     }
 
     pub(crate) fn wants(&self, wanted: Text, got: Text, label: impl Into<Text>) {
-        self.problem(text!("scene-wants", wanted = wanted, got = got), label);
+        self.problem(text!("scene-wants", wanted, got), label);
     }
 
     /// Notes a fault.
@@ -284,7 +284,7 @@ impl<'a> Entry<'a> {
     ) {
         self.faults.note(|| {
             let near = nearest(&self.name, known);
-            let message = text!("scene-unknown", what = what, name = shown(&self.name));
+            let message = text!("scene-unknown", what, name = shown(&self.name));
             Fault::new(self.key.clone(), message).label(did_you_mean(&self.name, near)).help(help())
         });
     }

@@ -5,10 +5,9 @@ use assur_mechanism::{Balance, Output, PairId, PointId};
 use assur_words::{name, text};
 
 use crate::linkage::{SceneLinks, pair};
-use crate::reading::Note;
 use crate::text::{row, shown, such_as};
-use crate::units::Dimension;
 use crate::walk::{Entry, Section};
+use crate::{reading::Note, units::Dimension};
 
 /// Reads `[assembly]`: rough positions of points.
 pub(crate) fn assembly(root: &Section<'_>, linkage: &SceneLinks) -> Vec<(PointId, [f64; 2])> {

@@ -5,9 +5,8 @@ use assur_mechanism::PairId;
 use assur_number::{Lanes, Real};
 
 use super::{Rows, Sink, some};
-use crate::Calculation;
-use crate::friction::efficiency;
 use crate::results::{Column, Owner, Quantity};
+use crate::{Calculation, friction::efficiency};
 
 /// The frictions of the scene whose pairs are wanted, each with its bearings.
 fn wanted(calculation: &Calculation) -> Vec<(PairId, Vec<(usize, &Bearing)>)> {

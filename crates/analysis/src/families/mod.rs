@@ -19,9 +19,8 @@ use assur_kinematics::LanePosition;
 use assur_number::{Lanes, Real};
 use assur_words::name;
 
-use crate::joints::Joints;
 use crate::results::{Cells, Column, Mask, Owner, Quantity, Schema, Section};
-use crate::{Calculation, InputMotion};
+use crate::{Calculation, InputMotion, joints::Joints};
 
 /// Receives the columns of results in their order, each with what finds its numbers in eight positions.
 pub(crate) trait Sink {
@@ -190,7 +189,8 @@ fn positions(found: &Calculation, to: &mut impl Sink) {
     if found.positions_have_forces() && found.knows_all_loads() {
         loads::loads(found, to);
     }
-    if found.has_inertia_loads() {
+    let accelerates = found.plan.order == Order::Second && found.positions_move();
+    if accelerates && !found.plan.is_partial() && found.knows_all_loads() {
         loads::inertia_loads(found, to);
     }
     if found.positions_have_forces() {
@@ -259,12 +259,6 @@ impl Calculation {
     /// Whether all loads can be evaluated: groups that nothing wanted depends on are not solved.
     pub(crate) fn knows_all_loads(&self) -> bool {
         self.loads.is_some() && self.plan.all
-    }
-
-    /// Whether the positions have inertia loads.
-    fn has_inertia_loads(&self) -> bool {
-        let solved = self.plan.groups_needed.iter().all(|needed| *needed);
-        self.plan.order == Order::Second && solved && self.knows_all_loads() && self.positions_move()
     }
 
     /// Whether there is dry friction in pairs.

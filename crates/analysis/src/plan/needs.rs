@@ -12,20 +12,15 @@ pub(crate) fn wanted(mechanism: &Mechanism, structure: &Structure, output: Optio
     let named =
         |ids: fn(&Output) -> &Vec<usize>, id: &usize| output.is_none_or(|output| ids(output).contains(id));
     let points = (0..mechanism.points.len()).filter(|id| named(|output| &output.points, id));
+    let pins = (0..mechanism.points.len()).filter(|id| mechanism.points[*id].is_pin());
+    let slides = 0..mechanism.slides.len();
     let is_wanted = |pair: &PairId| output.is_none_or(|output| output.reactions.contains(pair));
     Wanted {
         links: (1..mechanism.links.len()).filter(|id| named(|output| &output.links, id)).collect(),
         points: points.map(|id| (id, earliest(mechanism, structure, id))).collect(),
-        slides: (0..mechanism.slides.len()).filter(|id| named(|output| &output.slides, id)).collect(),
-        reactions: pairs(mechanism).into_iter().filter(is_wanted).collect(),
+        slides: slides.clone().filter(|id| named(|output| &output.slides, id)).collect(),
+        reactions: pins.map(PairId::Pin).chain(slides.map(PairId::Slide)).filter(is_wanted).collect(),
     }
-}
-
-/// Pins, then slides.
-fn pairs(mechanism: &Mechanism) -> Vec<PairId> {
-    let pins = mechanism.points.iter().enumerate().filter(|(_, point)| point.is_pin());
-    let slides = (0..mechanism.slides.len()).map(PairId::Slide);
-    pins.map(|(id, _)| PairId::Pin(id)).chain(slides).collect()
 }
 
 /// The groups on which the requested results and the loads depend.
@@ -38,7 +33,9 @@ pub(crate) fn groups(mechanism: &Mechanism, structure: &Structure, plan: &Plan) 
     }
     let mut links = shown(mechanism, &plan.wanted);
     if plan.reduction {
-        links.extend(reduced_links(mechanism));
+        // Those whose mass or loads enter J or Q.
+        let loaded = loaded(mechanism, |link| mechanism.links[link].is_heavy());
+        links.extend((1..mechanism.links.len()).filter(|link| loaded[*link]));
     }
     if plan.forces {
         let carrying = structure.groups.iter().zip(&plan.groups_carrying).filter(|(_, carrying)| **carrying);
@@ -127,22 +124,15 @@ fn loaded(mechanism: &Mechanism, heavy: impl Fn(LinkId) -> bool) -> Vec<bool> {
     loaded
 }
 
-fn weight(mechanism: &Mechanism, link: LinkId) -> bool {
-    mechanism.links[link].mass > 0.0 && mechanism.gravity.is_some_and(|gravity| gravity != [0.0, 0.0])
-}
-
-/// Links whose mass or loads enter J or Q.
-pub(crate) fn reduced_links(mechanism: &Mechanism) -> Vec<LinkId> {
-    let loaded = loaded(mechanism, |link| mechanism.links[link].is_heavy());
-    (1..mechanism.links.len()).filter(|link| loaded[*link]).collect()
-}
-
 /// By group: whether its reactions can differ from zero. The groups are visited from the last to the first: one carries
 /// a load if its links have one of their own, or if a later group that carries one is attached to them.
 pub(crate) fn groups_carrying(mechanism: &Mechanism, structure: &Structure) -> Vec<bool> {
     let moves = mechanism.motion.is_some();
-    let mut links =
-        loaded(mechanism, |link| weight(mechanism, link) || moves && mechanism.links[link].is_heavy());
+    let falls = mechanism.gravity.is_some_and(|gravity| gravity != [0.0, 0.0]);
+    let mut links = loaded(mechanism, |link| {
+        let link = &mechanism.links[link];
+        falls && link.mass > 0.0 || moves && link.is_heavy()
+    });
     match mechanism.balance {
         Some(Balance::Moment(link)) => links[link] = true,
         Some(Balance::Force { at, .. }) => links[at.link] = true,

@@ -9,9 +9,8 @@ use indexmap::IndexMap;
 use serde::{Serialize, Serializer};
 
 use super::Owner;
-use crate::friction::FrictionCycle;
 use crate::results::{Dynamics, Peaks, Starts, StructureReport, Survey, Table};
-use crate::several::Several;
+use crate::{friction::FrictionCycle, several::Several};
 
 /// All results of one calculation of a scene. What doesn't apply is absent or empty.
 ///
@@ -80,6 +79,16 @@ impl Analysis {
     /// Whether all positions are kept.
     pub fn is_complete(&self) -> bool {
         self.positions.len() == self.survey.rows
+    }
+
+    /// Adds the checks to the results, and the residuals to the rows of the positions and samples that were checked.
+    pub fn add_checks(&mut self, checks: Checks) {
+        let Checks { all, of_positions, of_trajectory } = checks;
+        self.checks = all;
+        self.survey.join(&self.positions, &of_positions);
+        self.positions.join(&of_positions);
+        self.trajectory.join(&of_trajectory);
+        self.residuals = of_positions;
     }
 }
 
@@ -227,16 +236,4 @@ pub struct Checks {
     pub(crate) of_positions: Table,
     /// Residuals of the checked samples of a transient motion.
     pub(crate) of_trajectory: Table,
-}
-
-impl Analysis {
-    /// Adds the checks to the results, and the residuals to the rows of the positions and samples that were checked.
-    pub fn add_checks(&mut self, checks: Checks) {
-        let Checks { all, of_positions, of_trajectory } = checks;
-        self.checks = all;
-        self.survey.join(&self.positions, &of_positions);
-        self.positions.join(&of_positions);
-        self.trajectory.join(&of_trajectory);
-        self.residuals = of_positions;
-    }
 }

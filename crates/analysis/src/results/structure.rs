@@ -1,7 +1,7 @@
 //! Mobility, groups and formula as results show them.
 
 use assur_group::{Mode, Order, Pair};
-use assur_kinematics::{Linkage, Misfit, Modes, mobility_in};
+use assur_kinematics::{Linkage, Misfit, Modes, Position, mobility_in};
 use assur_mechanism::{LinkId, Name, Named, PairId, Point};
 use assur_words::{Text, number, text};
 use indexmap::IndexMap;
@@ -76,7 +76,9 @@ pub struct ModeReport {
 
 pub(crate) fn report(linkage: &Linkage, whole: bool) -> StructureReport {
     let structure = &linkage.structure;
-    let by_rank = if whole { rank(linkage) } else { None };
+    let mut position = linkage.position();
+    let first = linkage.solve_index(0, Order::Place, &mut position).is_ok().then_some(&position);
+    let by_rank = first.filter(|_| whole).map(|position| mobility_in(linkage, position));
     StructureReport {
         mobility: structure.mobility.value,
         mobility_by_rank: by_rank,
@@ -85,15 +87,9 @@ pub(crate) fn report(linkage: &Linkage, whole: bool) -> StructureReport {
         formula: structure.formula.clone(),
         moving_links: structure.mobility.moving_links,
         pairs: structure.mobility.pairs,
-        groups: groups(linkage),
+        groups: groups(linkage, first),
         passive: linkage.misfits.clone(),
     }
-}
-
-fn rank(linkage: &Linkage) -> Option<usize> {
-    let mut position = linkage.position();
-    linkage.solve_index(0, Order::Place, &mut position).ok()?;
-    Some(mobility_in(linkage, &position))
 }
 
 fn note(counted: i64, found: usize) -> Option<Text> {
@@ -104,12 +100,10 @@ fn note(counted: i64, found: usize) -> Option<Text> {
 }
 
 /// All groups, with their modes in the first position.
-fn groups(linkage: &Linkage) -> Vec<GroupReport> {
-    let mut position = linkage.position();
-    let is_placed = linkage.solve_index(0, Order::Place, &mut position).is_ok();
+fn groups(linkage: &Linkage, first: Option<&Position>) -> Vec<GroupReport> {
     let modes = |index: usize| {
-        let is_known = is_placed && linkage.chain.needed[index];
-        is_known.then(|| linkage.modes(index, &position).ok().flatten()).flatten()
+        let position = first.filter(|_| linkage.chain.needed[index])?;
+        linkage.modes(index, position).ok().flatten()
     };
     (0..linkage.structure.groups.len()).map(|index| group(linkage, index, modes(index))).collect()
 }

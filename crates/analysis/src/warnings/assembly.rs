@@ -79,9 +79,7 @@ impl Calculation {
         let input = &linkage.mechanism.input;
         let across = |index: &usize| linkage.is_interpolated(input.coordinate(*index));
         let positions: Listed = (0..input.positions).filter(across).collect();
-        if !positions.is_empty() {
-            note.push(text!("analysis-interpolated", positions = positions.words()));
-        }
+        note.extend(positions.note(|positions| text!("analysis-interpolated", positions)));
         Some(joined(" ", note))
     }
 
@@ -129,12 +127,7 @@ impl Calculation {
         let linkage = &self.linkage;
         let poles = linkage.poles();
         let poles = poles.iter().filter(|(at, _)| self.visits(*at));
-        let places: Vec<Text> = poles
-            .map(|(at, group)| {
-                let group = linkage.structure.group_name(&linkage.mechanism, *group);
-                text!("analysis-place", place = self.show(*at), group)
-            })
-            .collect();
+        let places: Vec<Text> = poles.map(|(at, group)| self.change_point(*at, &[*group])).collect();
         (!places.is_empty()).then(|| text!("analysis-poles", places = joined("; ", places)))
     }
 
@@ -175,6 +168,7 @@ impl Calculation {
         degrees(if within.to_degrees() > 359.999_95 { 0.0 } else { within }, 4)
     }
 
+    /// A place where something happens in some groups.
     fn change_point(&self, coordinate: f64, groups: &[usize]) -> Text {
         let linkage = &self.linkage;
         let place = self.show(coordinate);

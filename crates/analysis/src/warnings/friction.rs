@@ -7,8 +7,7 @@ use assur_number::{ROUNDING, elementary};
 use assur_words::{Text, number, text};
 
 use super::Listed;
-use crate::Calculation;
-use crate::several::Several;
+use crate::{Calculation, several::Several};
 
 impl Calculation {
     /// Pairs with friction that rest, always or in some positions, and positions with several solutions.
@@ -29,25 +28,19 @@ impl Calculation {
             let turning = (0..input.positions)
                 .filter(|index| bearing.turns_at(input.coordinate(*index), input.period()));
             let turning: Listed = turning.collect();
-            if !turning.is_empty() {
-                let positions = turning.words();
-                notes.push(text!("analysis-friction-turns", pair, link, on, positions));
-            }
+            let note = |positions| text!("analysis-friction-turns", pair, link, on, positions);
+            notes.extend(turning.note(note));
         }
         let mut add = |said: fn(&Several) -> bool, note: fn(Text) -> Text| {
             let found: Listed = several.iter().filter(|one| said(one)).map(|one| one.index).collect();
-            if !found.is_empty() {
-                notes.push(note(found.words()));
-            }
+            notes.extend(found.note(note));
         };
         add(|one| one.solutions.len() > 1, |positions| text!("analysis-friction-several", positions));
         add(|one| one.continuum, |positions| text!("analysis-friction-continuum", positions));
         add(|one| !one.proved, |positions| text!("analysis-friction-not-proved", positions));
         notes
     }
-}
 
-impl Calculation {
     /// Where a friction whose sign is given pushes with the sliding, and where one against the sliding has nothing to oppose.
     pub(super) fn friction_of_contacts(&self) -> Vec<Text> {
         let loads = self.linkage.mechanism.loads.iter().enumerate();
@@ -74,13 +67,10 @@ impl Calculation {
             return Some(text!("analysis-arc-never-slides", contact = name));
         }
         if contact.against_sliding {
-            return (!rolling.is_empty())
-                .then(|| text!("analysis-arc-rolls", contact = name, positions = rolling.words()));
+            return rolling.note(|positions| text!("analysis-arc-rolls", contact = name, positions));
         }
-        (!pushing.is_empty()).then(|| {
-            let found = number(contact.friction.abs());
-            text!("analysis-friction-pushes", contact = name, positions = pushing.words(), friction = found)
-        })
+        let friction = number(contact.friction.abs());
+        pushing.note(|positions| text!("analysis-friction-pushes", contact = name, positions, friction))
     }
 
     /// Sliding of the arc along its line in the direction of motion, and the friction along it, N; `None` where there is no contact.

@@ -12,6 +12,12 @@ use assur_words::{Text, list, quantity, text};
 use super::Listed;
 use crate::Calculation;
 
+/// Loads drive if their net work over the cycle is more than this part of all their work: the works of a constant force cancel, but for
+/// what few positions leave.
+const NET: f64 = 0.1;
+/// The works are summed at so many places of the cycle: few positions of a scene say little of it.
+const PLACES: u32 = 144;
+
 impl Calculation {
     /// Positions that lie before time zero of a prescribed motion, or that it never reaches, where a load depends on time.
     pub(super) fn positions_out_of_time(&self) -> Vec<Text> {
@@ -28,26 +34,11 @@ impl Calculation {
                 None => never += 1,
             }
         }
-        let mut notes = Vec::new();
-        if before > 0 {
-            notes.push(text!("analysis-before-time-zero", count = before));
-        }
-        if never > 0 {
-            notes.push(text!("analysis-never-reached", count = never));
-        }
-        notes
+        let before = (before > 0).then(|| text!("analysis-before-time-zero", count = before));
+        let never = (never > 0).then(|| text!("analysis-never-reached", count = never));
+        before.into_iter().chain(never).collect()
     }
-}
 
-fn depends_on_time(value: &Value) -> bool {
-    match value {
-        Value::Table { over: Over::Time, .. } => true,
-        Value::Formula { formula, .. } => formula.used().time,
-        _ => false,
-    }
-}
-
-impl Calculation {
     /// Springs whose ends meet in positions of the scene: there they have no direction and give no force, even with a
     /// free length.
     pub(super) fn springs_without_direction(&self) -> Vec<Text> {
@@ -64,26 +55,14 @@ impl Calculation {
             let spring = load.kind.spring().filter(|spring| spring.stiffness > 0.0 && spring.length > 0.0)?;
             let found: Listed =
                 (0..mechanism.input.positions).filter(|index| meets(spring, *index)).collect();
-            (!found.is_empty()).then(|| {
-                text!(
-                    "analysis-spring-without-direction",
-                    spring = &load.name,
-                    positions = found.words(),
-                    length = quantity(spring.length, "m")
-                )
+            found.note(|positions| {
+                let (spring, length) = (&load.name, quantity(spring.length, "m"));
+                text!("analysis-spring-without-direction", spring, positions, length)
             })
         });
         words.collect()
     }
-}
 
-/// Loads drive if their net work over the cycle is more than this part of all their work: the works of a constant force cancel, but for
-/// what few positions leave.
-const NET: f64 = 0.1;
-/// The works are summed at so many places of the cycle: few positions of a scene say little of it.
-const PLACES: u32 = 144;
-
-impl Calculation {
     /// Loads that drive, where all loads together do.
     pub(super) fn driving_loads(&self) -> Option<Text> {
         let mechanism = &self.linkage.mechanism;
@@ -111,5 +90,13 @@ impl Calculation {
         let driving = works.iter().filter(|(_, work)| drives(work));
         let names = driving.map(|(load, _)| Text::from(&mechanism.loads[*load].name));
         drives(&sum).then(|| text!("analysis-driving-loads", loads = list(names)))
+    }
+}
+
+fn depends_on_time(value: &Value) -> bool {
+    match value {
+        Value::Table { over: Over::Time, .. } => true,
+        Value::Formula { formula, .. } => formula.used().time,
+        _ => false,
     }
 }

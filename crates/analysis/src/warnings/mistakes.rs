@@ -145,7 +145,9 @@ impl Calculation {
 
     fn see(&self, position: &Position, seen: &mut Seen<'_>) {
         seen.motion(&position.bodies);
-        let Some(loads) = self.loads.as_ref().filter(|_| self.is_prescribed()) else { return };
+        // The loads of the positions are those of the scene's motion, or of no motion.
+        let is_prescribed = matches!(self.linkage.mechanism.motion, None | Some(Motion::Prescribed { .. }));
+        let Some(loads) = self.loads.as_ref().filter(|_| is_prescribed) else { return };
         let state = LoadState::prescribed(&self.linkage.mechanism, position.coordinate);
         loads.by_cause(&state, &position.bodies, &mut |cause, link, wrench| {
             let body = &position.bodies[link];
@@ -168,11 +170,6 @@ impl Calculation {
         places.extend(self.known_places([0, last].map(|index| input.coordinate(index))));
         places.sort_by(f64::total_cmp);
         places.windows(2).map(|two| two[0] + PART * (two[1] - two[0])).collect()
-    }
-
-    /// Whether the loads of the positions are those of the scene's motion, or of no motion.
-    fn is_prescribed(&self) -> bool {
-        matches!(self.linkage.mechanism.motion, None | Some(Motion::Prescribed { .. }))
     }
 
     /// What a point of the mechanism moves per unit of the coordinate: m/rad, or 1.

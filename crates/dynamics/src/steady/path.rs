@@ -204,7 +204,10 @@ impl<'a> Path<'a> {
             let end = loop {
                 let [[_, end], _] = self.enter(x + ahead, v)?;
                 if end > x + narrow {
-                    break self.end_at(x, end.min(length), v);
+                    // Where the formulas end at a constant speed.
+                    let end = end.min(length);
+                    let change = self.first_switch([x, end - x], &[0.5 * v * v; S + 1]);
+                    break change.map_or(end, |[_, after]| x + after * (end - x));
                 }
                 ahead = if ahead == 0.0 { 1e-3 * narrow } else { 4.0 * ahead };
                 if ahead > length {
@@ -215,12 +218,6 @@ impl<'a> Path<'a> {
             corners.push(x);
         }
         Ok(corners)
-    }
-
-    /// Where the formulas entered last end at a constant speed between two places, or the second.
-    fn end_at(&self, x: f64, end: f64, v: f64) -> f64 {
-        let change = self.first_switch([x, end - x], &[0.5 * v * v; S + 1]);
-        change.map_or(end, |[_, after]| x + after * (end - x))
     }
 
     /// Cuts the cycle into panels on which polynomials resolve the coefficients to `tolerance` (relative), at the

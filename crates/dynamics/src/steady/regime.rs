@@ -5,9 +5,8 @@ use assur_motor::Characteristic;
 use assur_words::Text;
 use serde::Serialize;
 
-use super::path::Values;
 use super::solution::{CycleSolution, Iteration, RegimeState};
-use super::tuning::Trial;
+use super::{path::Values, tuning::Trial};
 use crate::InputDrive;
 
 /// The figures of a periodic regime. Speeds and coordinates have the signs of the coordinate; "least" and "greatest"

@@ -51,7 +51,9 @@ pub(crate) fn run_cycle(
         {
             near = rest;
         }
-        let start = near.first().filter(|segment| segment.is_at(panel.x, panel.h));
+        let bits = |[x, h]: [f64; 2]| [x.to_bits(), h.to_bits()];
+        let same = |segment: &&Segment| bits([segment.x, segment.h]) == bits([panel.x, panel.h]);
+        let start = near.first().filter(same);
         let start = start.map(|segment| &segment.energy);
         run.advance(panel.x, panel.h, &panel.coefficients, start, 0)?;
     }
@@ -152,7 +154,8 @@ impl Run<'_, '_> {
         self.state.energy = segment.energy[S];
         self.state.derivatives = segment.derivatives.map(|values| values[S]);
         self.side = 0.0;
-        self.slope = segment.end_slope(&self.setup.drive);
+        let drive = &self.setup.drive;
+        self.slope = segment.accelerations(drive)[S] / (2.0 * segment.half_squares(drive)[S]).sqrt();
         self.segments.push(*segment);
     }
 

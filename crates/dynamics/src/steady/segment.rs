@@ -64,10 +64,6 @@ pub(crate) struct Segment {
 }
 
 impl Segment {
-    pub(crate) fn is_at(&self, x: f64, h: f64) -> bool {
-        self.x.to_bits() == x.to_bits() && self.h.to_bits() == h.to_bits()
-    }
-
     pub(crate) fn energy_at(&self, theta: f64) -> f64 {
         RULE.interpolate(&self.energy, theta)
     }
@@ -89,12 +85,6 @@ impl Segment {
             let node = &self.coefficients.nodes[i];
             (self.moment[i] - half_squares[i] * node.slope) / (node.inertia + drive.inertia)
         })
-    }
-
-    /// dv/dx at the end.
-    pub(crate) fn end_slope(&self, drive: &InputDrive) -> f64 {
-        let v = (2.0 * self.half_squares(drive)[S]).sqrt();
-        self.accelerations(drive)[S] / v
     }
 
     /// Where the speed passes `level`, between a part where it has not yet (`inside`) and one where it has.

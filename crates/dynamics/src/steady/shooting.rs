@@ -4,8 +4,7 @@ use super::path::{Path, PathPanel};
 use super::run::run_cycle;
 use super::segment::{BY_DRIVE, Misses, Setup};
 use super::solution::{Closing, CycleSolution, Iteration, Stretch, extremes};
-use crate::DynamicsError;
-use crate::drive::TorqueSource;
+use crate::{DynamicsError, drive::TorqueSource};
 
 /// Newton steps towards a periodic cycle.
 const MOST_ITERATIONS: usize = 60;

@@ -218,7 +218,9 @@ pub(crate) fn extremes(pieces: impl Iterator<Item = Stretch>) -> Option<[Extreme
         for i in 1..=S {
             let [before, after] = [piece.slopes[i - 1], piece.slopes[i]];
             if before * after < 0.0 {
-                note(&mut found, between(piece.turning_point([RULE.c[i - 1], RULE.c[i]], before.signum())));
+                let keeps = |theta: f64| RULE.interpolate(&piece.slopes, theta) * before.signum() > 0.0;
+                let [low, high] = bisect(RULE.c[i - 1], RULE.c[i], 2.0 * f64::EPSILON, keeps);
+                note(&mut found, between(f64::midpoint(low, high)));
             } else if after == 0.0 {
                 note(&mut found, between(RULE.c[i]));
             }
@@ -240,15 +242,6 @@ fn note(found: &mut Option<[Extreme; 2]>, new: Extreme) {
     }
     if new.value > greatest.value + slack {
         *greatest = new;
-    }
-}
-
-impl Stretch {
-    /// Zero of the derivative between two parts of the panel; `sign`: sign of the derivative at the first.
-    fn turning_point(&self, [low, high]: [f64; 2], sign: f64) -> f64 {
-        let keeps_sign = |theta: f64| RULE.interpolate(&self.slopes, theta) * sign > 0.0;
-        let [low, high] = bisect(low, high, 2.0 * f64::EPSILON, keeps_sign);
-        f64::midpoint(low, high)
     }
 }
 

@@ -3,15 +3,12 @@
 use assur_integrator::EquationOfMotion;
 use assur_words::text;
 
-use super::diagram::WorkDiagram;
 use super::path::{CyclePath, Path, PathPanel, RULE};
 use super::regime::{CycleRequest, DriveRequest, Effort, Figures, Regime, TorqueRequest};
-use super::segment::Setup;
-use super::shooting::Shooting;
 use super::solution::{Closing, CycleSolution, Extreme, Iteration, SpeedRange};
 use super::tuning::{Tuned, Tuner, TuningTarget, Unknowns, working_ratio, working_speed};
-use crate::DynamicsError;
-use crate::drive::TorqueSource;
+use super::{diagram::WorkDiagram, segment::Setup, shooting::Shooting};
+use crate::{DynamicsError, drive::TorqueSource};
 
 /// Accuracy to which polynomials resolve the machine before the regime is known.
 const RESOLVE: f64 = 1e-9;

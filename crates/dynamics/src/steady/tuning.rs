@@ -9,9 +9,8 @@ use assur_number::elementary;
 use assur_number::search::bisect;
 use serde::Serialize;
 
-use super::segment::Setup;
-use super::shooting::Shooting;
 use super::solution::{Closing, CycleSolution, SpeedRange};
+use super::{segment::Setup, shooting::Shooting};
 use crate::DynamicsError;
 use crate::drive::{InputDrive, TorqueSource};
 

@@ -91,7 +91,7 @@ fn in_table<'a, 'b>(
     let owner = owner(&steps[..depth]);
     let names = keys(table);
     let Step::Name(name) = &steps[depth] else {
-        return Err(text!("scene-table-is-no-list", owner = owner, names = listed(names)));
+        return Err(text!("scene-table-is-no-list", owner, names = listed(names)));
     };
     table.get(name.as_str()).ok_or_else(|| {
         let longer = if depth == 0 { longer(table, steps) } else { None };
@@ -109,9 +109,9 @@ fn in_array<'a, 'b>(
         Step::Index(index) => array.get(*index).ok_or_else(|| {
             let (count, last) = (array.len(), number(array.len().saturating_sub(1)));
             if count == 0 {
-                return text!("scene-no-elements", owner = owner);
+                return text!("scene-no-elements", owner);
             }
-            text!("scene-elements", owner = owner, count = count, last = last)
+            text!("scene-elements", owner, count, last)
         }),
         Step::Name(name) => {
             let same = |item: &&Spanned<DeValue<'b>>| element_name(item.get_ref()).as_ref() == Some(name);
@@ -121,10 +121,10 @@ fn in_array<'a, 'b>(
                     array.iter().filter_map(|item| element_name(item.get_ref())).collect();
                 let list = key(&steps[..depth]);
                 if names.is_empty() {
-                    return text!("scene-list-without-names", owner = owner, list = list);
+                    return text!("scene-list-without-names", owner, list);
                 }
                 let problem = absent(owner, (steps, depth), (name, None), names);
-                text!("scene-or-by-number", problem = problem, list = list)
+                text!("scene-or-by-number", problem, list)
             })
         }
         Step::Range(..) => Err(text!("scene-several-values", key = key(steps))),
@@ -137,14 +137,14 @@ fn leaf(at: &Spanned<DeValue<'_>>, steps: &[Step]) -> Result<TextPlace, Text> {
         DeValue::Integer(_) | DeValue::Float(_) => None,
         DeValue::String(text) => Some(text.to_string()),
         DeValue::Table(table) => {
-            return Err(text!("scene-is-a-table", key = key, names = listed(keys(table))));
+            return Err(text!("scene-is-a-table", key, names = listed(keys(table))));
         }
         DeValue::Array(array) => {
             let elements = (0..array.len()).map(|index| Key::from(steps).at(index).to_string()).collect();
-            return Err(text!("scene-is-a-list", key = key, names = listed(elements)));
+            return Err(text!("scene-is-a-list", key, names = listed(elements)));
         }
-        DeValue::Boolean(_) => return Err(text!("scene-is-a-boolean", key = key)),
-        DeValue::Datetime(_) => return Err(text!("scene-is-a-date", key = key)),
+        DeValue::Boolean(_) => return Err(text!("scene-is-a-boolean", key)),
+        DeValue::Datetime(_) => return Err(text!("scene-is-a-date", key)),
     };
     Ok(TextPlace { span: at.span(), text })
 }
@@ -192,7 +192,7 @@ fn absent(
     // An absent key has its default; only a value that is written in the scene can be replaced.
     let hint = near.unwrap_or_else(|| text!("scene-default-not-written"));
     let absent = name(absent.to_owned());
-    text!("scene-owner-has-no", owner = owner, name = absent, hint = hint, names = listed(names))
+    text!("scene-owner-has-no", owner, name = absent, hint, names = listed(names))
 }
 
 fn listed(names: Vec<String>) -> Text {

@@ -104,7 +104,7 @@ fn of_input_and_drive(mechanism: &Mechanism, speed: &(Key, f64)) -> Vec<Warning>
         doubt(
             true,
             &Key::of("input").at("from"),
-            text!("scene-counted-twice", point = shown(key), angle = angle, twice = twice),
+            text!("scene-counted-twice", point = shown(key), angle, twice),
         );
     }
     if let Some(Torque::Motor { motor: MotorChoice::Rated(motor), .. }) =
@@ -116,7 +116,7 @@ fn of_input_and_drive(mechanism: &Mechanism, speed: &(Key, f64)) -> Vec<Warning>
     }
     if let Some((ratio, needed)) = odd_ratio(mechanism, speed.1) {
         let [ratio, needed] = [ratio, needed].map(rounded);
-        doubt(true, &Key::of("drive").at("ratio"), text!("scene-odd-ratio", ratio = ratio, needed = needed));
+        doubt(true, &Key::of("drive").at("ratio"), text!("scene-odd-ratio", ratio, needed));
     }
     warnings
 }
@@ -159,8 +159,7 @@ fn of_load(mechanism: &Mechanism, load: &Load, key: Key, size: f64) -> Option<(K
             if spring.stiffness == 0.0 && spring.damping == 0.0 {
                 return Some((key.at("stiffness"), text!("scene-spring-without-stiffness")));
             }
-            return is_long
-                .then(|| (key.at("length"), text!("scene-long-spring", length = length, size = whole)));
+            return is_long.then(|| (key.at("length"), text!("scene-long-spring", length, size = whole)));
         }
         LoadKind::Force(force) => &force.value,
         LoadKind::Moment(moment) => &moment.value,
@@ -186,7 +185,7 @@ fn of_load(mechanism: &Mechanism, load: &Load, key: Key, size: f64) -> Option<(K
     };
     let [last_shown, lasts] = [last, way / speed.abs()].map(|time| quantity(rounded(time), "s"));
     let is_long = last > MOST_TIMES_THE_MOTION * way / speed.abs();
-    is_long.then(|| (key.at("value").at("table"), text!("scene-long-time", last = last_shown, lasts = lasts)))
+    is_long.then(|| (key.at("value").at("table"), text!("scene-long-time", last = last_shown, lasts)))
 }
 
 /// Whether a moment on an input link that turns clockwise is a resistance with the wrong sign: by formula of the speed alone, none at

@@ -165,7 +165,7 @@ impl SceneKey {
 /// Several texts, one of which holds.
 fn either(mut texts: Vec<Text>) -> Text {
     let last = texts.pop().unwrap_or_default();
-    if texts.is_empty() { last } else { text!("scene-either", these = joined(", ", texts), last = last) }
+    if texts.is_empty() { last } else { text!("scene-either", these = joined(", ", texts), last) }
 }
 
 impl ValueKind {

@@ -55,7 +55,7 @@ assur_words::errors!(UnitError);
 impl Describe for UnitError {
     fn describe(&self) -> Text {
         let Self { fault, text, wanted } = self;
-        let wants = |got: Text| text!("scene-wants", wanted = wanted.with_units(), got = got);
+        let wants = |got: Text| text!("scene-wants", wanted = wanted.with_units(), got);
         let limit = |size: f64| name(format!("{size:e} {}", wanted.si()));
         let text = shown(text);
         match fault {
