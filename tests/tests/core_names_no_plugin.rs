@@ -40,25 +40,88 @@ fn plugins() -> (Vec<&'static str>, Vec<String>) {
     (names, all.iter().map(|(_, crate_name)| crate_name.replace('-', "_")).collect())
 }
 
-/// Source files of a folder outside its tests and benchmarks.
-fn sources(folder: &Path, found: &mut Vec<PathBuf>) {
+/// Files of a folder that end so, outside its tests and benchmarks.
+fn files(folder: &Path, end: &str, found: &mut Vec<PathBuf>) {
     for entry in fs::read_dir(folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display())) {
         let path = entry.unwrap_or_else(|error| panic!("{error}")).path();
         let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
         if path.is_dir() && !["tests", "benches", "target"].contains(&name.as_str()) {
-            sources(&path, found);
-        } else if path.extension().is_some_and(|end| end == "rs") && name != "tests.rs" {
+            files(&path, end, found);
+        } else if path.extension().is_some_and(|own| own == end) && name != "tests.rs" {
             found.push(path);
         }
     }
+}
+
+/// All files that end so of some folders of the project.
+fn all_files(folders: &[&str], end: &str) -> Vec<PathBuf> {
+    let mut found = Vec::new();
+    for folder in folders {
+        files(&Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(folder), end, &mut found);
+    }
+    found
+}
+
+/// Names that texts have as words in their ordinary sense, each with that sense; as a name such a word stands in quotes.
+const SENSES: [(&str, &str); 5] = [
+    ("any", "every one"),
+    ("energy", "of a motion or a spring"),
+    ("groups", "those of Assur"),
+    ("quadrature", "an integral by sums"),
+    ("uniform", "the same everywhere"),
+];
+
+/// Whether a text says the name of a plugin: as a word of its own, which is no value.
+fn says(text: &str, name: &str) -> bool {
+    let is_part = |letter: char| letter.is_alphanumeric() || "-_$".contains(letter);
+    let is_quote = |letter: char| "`\"".contains(letter);
+    let is_ordinary = SENSES.iter().any(|(word, _)| *word == name);
+    text.match_indices(name).any(|(at, _)| {
+        let (before, after) = (&text[..at], &text[at + name.len()..]);
+        let is_word = !before.ends_with(is_part) && !after.starts_with(is_part);
+        is_word && (!is_ordinary || before.ends_with(is_quote) && after.starts_with(is_quote))
+    })
+}
+
+/// The texts of a file with their identities, each with all of its lines.
+fn texts(file: &Path) -> Vec<(String, String)> {
+    let mut all: Vec<(String, String)> = Vec::new();
+    let whole = fs::read_to_string(file).unwrap_or_else(|error| panic!("{}: {error}", file.display()));
+    for line in whole.lines().filter(|line| !line.starts_with('#')) {
+        match line.split_once(" =") {
+            Some((id, said)) if !line.starts_with(' ') => all.push((id.to_owned(), said.to_owned())),
+            _ => {
+                if let Some((_, said)) = all.last_mut() {
+                    said.push_str(line);
+                }
+            }
+        }
+    }
+    all
+}
+
+/// A method, a kind of group or a catalogue is a value of a text, which its entry in the registry gives: so the text holds
+/// whatever is linked. A plugin's own texts may name it.
+#[test]
+fn no_text_names_a_plugin() {
+    let (registered, _) = plugins();
+    let files = all_files(&["crates", "tui"], "ftl");
+    assert!(files.len() > 60, "only {} files were found", files.len());
+    let mut faults = Vec::new();
+    for file in &files {
+        for (id, text) in texts(file) {
+            let named = registered.iter().find(|name| says(&text, name));
+            faults.extend(named.map(|name| format!("{}: {name}: {id} ={text}", file.display())));
+        }
+    }
+    assert!(faults.is_empty(), "texts name plugins:\n{}", faults.join("\n"));
 }
 
 #[test]
 fn no_source_of_the_core_names_a_plugin() {
     let (registered, crates) = plugins();
     assert!(registered.len() > 15 && registered.contains(&"RRR"), "{registered:?}");
-    let mut files = Vec::new();
-    sources(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../crates"), &mut files);
+    let files = all_files(&["crates"], "rs");
     assert!(files.len() > 100, "only {} files were found", files.len());
     let mut faults = Vec::new();
     for file in files {

@@ -200,7 +200,6 @@ fn errors_of_groups_positions_and_loads() {
         LoadFault::NoStroke(1e-9),
         LoadFault::InfiniteStroke(1.0),
         LoadFault::NotFinite(1.0),
-        LoadFault::Unlocated { function: function(), column: 7 },
         LoadFault::UnlocatedSliding,
         LoadFault::ChangesTooOften { function: function(), column: 7, most: 10 },
         LoadFault::NoPosition(1.0, Box::new(position(None, true))),

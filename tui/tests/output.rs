@@ -133,6 +133,69 @@ fn links_and_modes_of_a_file_stay() {
     assert_eq!(names(path), ["crank.toml", "link", "one", "short.toml", "two"]);
 }
 
+/// As a shell does, an output goes to where a link leads, though nothing is there yet; links that lead nowhere are refused.
+#[test]
+fn a_link_to_nothing_leads_to_a_new_file() {
+    let folder = folder();
+    let path = folder.path();
+    fs::create_dir(path.join("far")).unwrap();
+    symlink("far/new.json", path.join("link.json")).unwrap();
+    symlink("link.json", path.join("chain.json")).unwrap();
+    symlink("far/tables", path.join("tables")).unwrap();
+    symlink("far/rows.csv", path.join("rows.csv")).unwrap();
+    symlink("none/new.json", path.join("lost.json")).unwrap();
+    symlink("none/rows.csv", path.join("lost.csv")).unwrap();
+    symlink("round.csv", path.join("about.csv")).unwrap();
+    symlink("about.csv", path.join("round.csv")).unwrap();
+    let before = names(path);
+    let analyze = |format, target| assur(path, &["analyze", "crank.toml", "--format", format, "-o", target]);
+    let sweep = |target| assur(path, &["sweep", "crank.toml", "--vary", "motion.speed=1..2:2", "-o", target]);
+    assert_eq!(code(&analyze("json", "chain.json")), 0);
+    assert!(fs::read_to_string(path.join("far/new.json")).unwrap().starts_with('{'));
+    assert_eq!(code(&analyze("csv", "tables")), 0);
+    assert_eq!(names(&path.join("far/tables")), ["positions.csv", "reactions.csv"]);
+    let rows = sweep("rows.csv");
+    assert_eq!(code(&rows), 0, "{}", err(&rows));
+    assert_eq!(names(&path.join("far")), ["new.json", "rows.csv", "rows.csv.origin.json", "tables"]);
+    for (refused, why) in [
+        (analyze("json", "lost.json"), "there is no folder"),
+        (sweep("lost.csv"), "there is no folder"),
+        (analyze("json", "round.csv"), "what is there is not a file"),
+        (sweep("round.csv"), "what is there is not a file"),
+    ] {
+        assert_eq!(code(&refused), 2, "{}", err(&refused));
+        assert!(err(&refused).contains(why), "{}", err(&refused));
+    }
+    assert_eq!(names(path), before);
+    assert!(
+        before.iter().all(|name| name.ends_with(".toml") || name == "far" || path.join(name).is_symlink())
+    );
+}
+
+/// Notes are in the JSON, once each, and none is told beside it; CSV has no place for them, so that what is probably not meant in the
+/// scene is told.
+#[test]
+fn a_note_is_told_once() {
+    let folder = folder();
+    let path = folder.path();
+    let idle = "[[moment]]\nname = \"idle\"\nlink = \"crank\"\nvalue = 0\n";
+    fs::write(path.join("idle.toml"), format!("{CRANK}\n{idle}")).unwrap();
+    let run = |rest: &[&str]| assur(path, &[&["analyze", "idle.toml"], rest].concat());
+    let json = run(&["--format", "json"]);
+    assert_eq!((code(&json), err(&json)), (0, String::new()));
+    let found: serde_json::Value = serde_json::from_slice(&json.stdout).unwrap();
+    let notes: Vec<_> = found["notes"].as_array().unwrap().iter().map(|note| &note["text"]).collect();
+    let says = |text: &str| text.matches("Load `idle` never acts").count();
+    assert_eq!(notes.iter().map(|note| says(note.as_str().unwrap())).sum::<usize>(), 1, "{notes:?}");
+    let csv = run(&["--format", "csv", "-o", "tables"]);
+    assert_eq!((code(&csv), says(&err(&csv)), err(&csv).lines().count()), (0, 1, 1), "{}", err(&csv));
+    let refused = run(&["--format", "json", "--strict"]);
+    assert_eq!((code(&refused), says(&err(&refused))), (2, 1), "{}", err(&refused));
+    // Nothing is written, so that the notes are told.
+    let unwritten = run(&["--format", "json", "-o", "none/a.json"]);
+    assert_eq!((code(&unwritten), says(&err(&unwritten))), (2, 1), "{}", err(&unwritten));
+}
+
 #[test]
 fn streams_are_written_to_and_never_replaced() {
     let folder = folder();

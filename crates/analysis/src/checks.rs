@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use assur_check::{Check, Chosen, Coverage, Finding, ForceResiduals, InputLoad, Residuals, Subject, methods};
 use assur_dynamics::{InputDrive, Regime, Steady, Transient, section_margin};
-use assur_force::{LoadState, Side};
+use assur_force::{LoadState, Loads};
 use assur_group::Order;
 use assur_integrator::Sample;
 use assur_kinematics::Linkage;
@@ -72,13 +72,24 @@ impl Calculation {
 
     /// Whether dry friction holds a motion at rest in a state: it is not determined there, nor are the reactions that depend on it.
     pub(crate) fn rests_by_friction(&self, state: &LoadState) -> bool {
-        let rests = state.speed == 0.0 && matches!(state.side, Side::Held { .. });
-        rests && !self.linkage.mechanism.frictions.is_empty()
+        Loads::holds_at_rest(state) && !self.linkage.mechanism.frictions.is_empty()
     }
 
-    /// Whether there may be samples of a motion at [rest](Self::rests_by_friction) by dry friction.
+    /// Whether several loads hold a motion at rest in a state: reactions that depend on their shares are not determined.
+    pub(crate) fn rests_by_shares(&self, state: &LoadState) -> bool {
+        Loads::holds_at_rest(state) && self.may_share()
+    }
+
+    /// Whether several loads may hold a motion at rest where no dry friction does.
+    pub(crate) fn may_share(&self) -> bool {
+        let shared = self.loads.as_ref().is_some_and(Loads::may_share);
+        shared && self.linkage.mechanism.frictions.is_empty()
+    }
+
+    /// Whether there may be samples of a motion at rest in which reactions are not determined.
     pub(crate) fn rests_leave_unknown(&self) -> bool {
-        matches!(self.motion, InputMotion::Transient(_)) && !self.linkage.mechanism.frictions.is_empty()
+        let may_be = !self.linkage.mechanism.frictions.is_empty() || self.may_share();
+        matches!(self.motion, InputMotion::Transient(_)) && may_be
     }
 
     /// The load on the input by the motion that was found; `None` where it is prescribed.

@@ -132,7 +132,15 @@ impl<'a> Filler<'a> {
     fn solve_forces(&mut self, first: usize, rows: Mask, states: &[LoadState; Lanes::WIDTH]) -> Forces {
         let Self { forces, position, several, calculation, .. } = self;
         let Some((forces, _)) = forces else { return (rows, [None; Lanes::WIDTH], Vec::new()) };
-        let refused = forces.solve(states, position).err().unwrap_or_default();
+        let mut refused = forces.solve(states, position).err().unwrap_or_default();
+        for lane in (0..Lanes::WIDTH).filter(|&lane| rows[lane] && calculation.rests_by_shares(&states[lane]))
+        {
+            if refused.iter().all(|(failed, _)| *failed != lane) {
+                refused.extend(
+                    forces.leave_shares_open(lane, &states[lane], position).err().map(|error| (lane, error)),
+                );
+            }
+        }
         if let Some(friction) = &mut forces.reactions.friction {
             let doubts = friction.doubts.drain(..).filter(|(lane, _)| rows[*lane]);
             let open = |lane: usize| {

@@ -125,14 +125,20 @@ impl Drawer<'_> {
             let on_a = self.reactions.pairs[id].force();
             let force = if pair.a == link { on_a } else { opposite(on_a) };
             let joint = Text::from(structure.pair_name(mechanism, id));
-            let [on, from] = [link, pair.other(link)].map(|link| Text::from(&mechanism.links[link].name));
+            let other = pair.other(link);
+            let [on, from] = [link, other].map(|link| Text::from(&mechanism.links[link].name));
             let symbol = if structure.is_share(id) {
                 text!("plan-share-of-reaction", pair = &joint, link = &from)
             } else {
                 joined("", [name("R("), joint.clone(), name(")")])
             };
-            let note = if pair.is_slide() { "plan-guide-on" } else { "plan-pin-on" };
-            list.push((symbol, force, text!(note, pair = joint, on = on, from = from)));
+            let note = match (pair.is_slide(), other == GROUND) {
+                (true, true) => text!("plan-guide-from-ground", pair = joint, on = on),
+                (true, false) => text!("plan-guide-on", pair = joint, on = on, from = from),
+                (false, true) => text!("plan-pin-from-ground", pair = joint, on = on),
+                (false, false) => text!("plan-pin-on", pair = joint, on = on, from = from),
+            };
+            list.push((symbol, force, note));
         }
         list
     }

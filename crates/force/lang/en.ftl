@@ -14,7 +14,6 @@ force-stroke-of-moment = moment `{ $load }` is given over a stroke, but a moment
 force-no-stroke = load `{ $load }` is given over a stroke, but its point moves only { $travel } along the axis; turn the axis
 force-infinite-stroke = load `{ $load }` is given over a stroke, but near coordinate { $coordinate } its point is at infinity, since guides become parallel there; calculate a range without that, or turn the axis
 force-not-finite = load `{ $load }` has no finite value at coordinate { $coordinate }: its formula divides by zero, takes a root or a logarithm of a negative number, or exceeds 1e15 there
-force-unlocated = load `{ $load }`: the argument of `{ $function }` (character { $column } of the formula) mixes the place `x` with the speed, with time or with what doesn't repeat with the cycle, so its zeros can't be located in a motion that is calculated; let `x` stand alone or with what repeats with the cycle
 force-changes-too-often = load `{ $load }`: the argument of `{ $function }` (character { $column } of the formula) passes through zero too often: a formula may have { $most } jumps and kinks in a cycle
 force-no-position = load `{ $load }` is given over a stroke, but the cycle has no position at coordinate { $coordinate }: { $cause }
 force-change-point = coordinate { $coordinate }: a change point; the reactions have the form 0/0 there

@@ -14,6 +14,7 @@ use assur_words::{Text, text};
 
 use crate::grid::{Bodies, GRID, Span, rests};
 use crate::loads::{Action, Along, Applied, ArcContact, Mass, PointForce, Shoe};
+use crate::place::PlaceCourse;
 use crate::sliding::{Rate, Sliding};
 use crate::stroke::{Stroke, Travel};
 use crate::{
@@ -261,7 +262,7 @@ impl<'a> Compiler<'a> {
             self.needs_motion(text!("force-formula-of-motion"))?;
         }
         let steps = !self.is_given();
-        let mut law = FormulaLaw::new(formula.clone(), factor, steps)?;
+        let mut law = FormulaLaw::new(formula.clone(), factor, steps);
         let motion = |q: f64| LoadState::prescribed(self.mechanism, q);
         law.check_changes(self.cycle(), motion)?;
         if let (Some(axis), true) = (axis, used.place) {
@@ -279,15 +280,18 @@ impl<'a> Compiler<'a> {
                     };
                     law.clone().along(travel, &span, point)
                 };
-                // What does not repeat with the cycle changes along the positions.
-                if law.mixes_place() {
-                    return along(self.positions());
+                // What does not repeat with the cycle changes along the positions. Nothing is known of the switches in a cell.
+                let reach = Span { cells: GRID, ..self.reach(span) };
+                let repeating = if law.mixes_place() { None } else { along(reach)? };
+                let found = match repeating {
+                    Some(found) => found,
+                    None => along(self.positions())?.unwrap_or_else(|| law.clone()),
+                };
+                if !found.meets_places() {
+                    return Ok(found);
                 }
-                // Nothing is known of the switches in a cell.
-                match along(Span { cells: GRID, ..self.reach(span) }) {
-                    Err(LoadFault::Unlocated { .. }) if !steps => along(self.positions()),
-                    found => found,
-                }
+                let course = PlaceCourse::fit(&reach, |q| travel.motion(bodies, (q, at)))?;
+                Ok(found.with_places(course))
             })?;
         }
         Ok(Law::Formula(Box::new(law)))

@@ -28,13 +28,6 @@ pub enum LoadFault {
     InfiniteStroke(f64),
     /// Its formula has no value at a coordinate, or one beyond the range of loads; rad or m.
     NotFinite(f64),
-    /// A jump or kink of its formula can't be found before an integrator steps over it.
-    Unlocated {
-        /// The function that has a jump or kink.
-        function: String,
-        /// Where it stands in the formula, from 1.
-        column: usize,
-    },
     /// Where the sliding of a contact turns can't be found before an integrator steps over it.
     UnlocatedSliding,
     /// A formula changes too often for its changes to be followed.
@@ -67,9 +60,6 @@ impl Describe for LoadError {
             }
             LoadFault::NotFinite(coordinate) => {
                 text!("force-not-finite", load, coordinate = at(coordinate))
-            }
-            LoadFault::Unlocated { function, column } => {
-                text!("force-unlocated", load, function = name(function.clone()), column = *column)
             }
             LoadFault::UnlocatedSliding => text!("force-unlocated-sliding", load),
             LoadFault::ChangesTooOften { function, column, most } => text!(

@@ -1,11 +1,13 @@
 //! Loads by formula: on which side of its switches a state lies, and where the smooth branch ends.
 
+use std::sync::Arc;
+
 use assur_formula::{Branches, Formula, Sign, Used, Variable, Variables};
 use assur_integrator::{Piece, State, Stretch};
 use assur_number::search::bisect;
 
 use crate::breaks::{Breaks, cut};
-use crate::{LoadFault, LoadState, grid::Span, state::Selection, stroke::Travel};
+use crate::{LoadFault, LoadState, grid::Span, place::PlaceCourse, state::Selection, stroke::Travel};
 
 /// The greatest size of a load by formula in SI: that of a force or moment given as a number (docs/ranges.md). Beyond it the
 /// rounding of a force across a guide outweighs all others.
@@ -30,6 +32,8 @@ pub(crate) struct FormulaLaw {
     travel: Option<Travel>,
     /// Where switches that depend on the place of the point change.
     places: Places,
+    /// The place of the point by the coordinate, and the switches that depend on it and are met on the way, as bits.
+    met_places: (Option<Arc<PlaceCourse>>, u32),
 }
 
 /// Sides of the switches that depend on the place of a point, between coordinates of the cycle.
@@ -50,10 +54,11 @@ fn place_of(formula: &Formula, switch: usize) -> (String, usize) {
     (formula.text()[span.clone()].to_owned(), span.start + 1)
 }
 
-/// The changes of a switch can't be found in advance.
-fn unlocated(formula: &Formula, switch: usize) -> LoadFault {
-    let (function, column) = place_of(formula, switch);
-    LoadFault::Unlocated { function, column }
+/// Bounds of the products of two numbers within bounds.
+fn products(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
+    let all = a.map(|a| b.map(|b| a * b));
+    let of = |pick: fn(f64, f64) -> f64| pick(pick(all[0][0], all[0][1]), pick(all[1][0], all[1][1]));
+    [of(f64::min), of(f64::max)]
 }
 
 /// Whether a switch depends on speed or time and on something else.
@@ -63,14 +68,12 @@ fn is_mixed(used: Used) -> bool {
 
 impl FormulaLaw {
     /// A formula without places of points. `steps`: integrators must be able to step onto its switches.
-    pub(crate) fn new(formula: Formula, factor: f64, steps: bool) -> Result<Self, LoadFault> {
-        let refused = |used: Used| is_mixed(used) && used.place;
-        let found = formula.switches().iter().position(|switch| refused(switch.used));
-        if let Some(index) = found.filter(|_| steps) {
-            return Err(unlocated(&formula, index));
-        }
+    pub(crate) fn new(formula: Formula, factor: f64, steps: bool) -> Self {
         let jumps = formula.jumps();
-        Ok(Self { formula, factor, steps, jumps, travel: None, places: Places::default() })
+        let switches = formula.switches().iter().enumerate();
+        let met = switches.filter(|(_, switch)| steps && switch.used.place && is_mixed(switch.used));
+        let met_places = (None, met.map(|(index, _)| 1 << index).sum());
+        Self { formula, factor, steps, jumps, travel: None, places: Places::default(), met_places }
     }
 
     /// The switches whose changes are found from the place of a point: a bend that mixes it with speed or time needs none,
@@ -79,7 +82,8 @@ impl FormulaLaw {
         let switches = self.formula.switches().iter().map(|switch| switch.used).enumerate();
         let is_found = |index: usize, used: Used| {
             let moves = used.speed || used.time;
-            used.place && (!moves || self.jumps >> index & 1 == 1)
+            let is_met = self.met_places.1 >> index & 1 == 1;
+            used.place && !is_met && (!moves || self.jumps >> index & 1 == 1)
         };
         switches.filter(|(index, used)| is_found(*index, *used)).collect()
     }
@@ -89,13 +93,25 @@ impl FormulaLaw {
         self.by_place().iter().any(|(_, used)| used.speed || used.time)
     }
 
-    /// Takes the place of a point along the travel for `x`; `motion` gives the state and the point, m, at a coordinate.
+    /// Whether switches that depend on the place of the point are met on the way of a motion that is calculated.
+    pub(crate) fn meets_places(&self) -> bool {
+        self.met_places.1 != 0
+    }
+
+    /// Takes the place of a point by the coordinate, for the switches that are met on the way.
+    pub(crate) fn with_places(mut self, course: PlaceCourse) -> Self {
+        self.met_places.0 = Some(Arc::new(course));
+        self
+    }
+
+    /// Takes the place of a point along the travel for `x`; `motion` gives the state and the point, m, at a coordinate. What does not
+    /// repeat with the cycle is met on the way of a motion that is calculated; of a known one `None`, over a span that repeats.
     pub(crate) fn along(
         mut self,
         travel: Travel,
         span: &Span,
         mut motion: impl FnMut(f64) -> Result<(LoadState, [f64; 2]), LoadFault>,
-    ) -> Result<Self, LoadFault> {
+    ) -> Result<Option<Self>, LoadFault> {
         self.travel = Some(travel);
         let mut at = |q: f64| {
             let (LoadState { speed, time, .. }, point) = motion(q)?;
@@ -103,8 +119,18 @@ impl FormulaLaw {
         };
         let mut points = Vec::new();
         for (index, used) in self.by_place() {
-            self.places.switches |= 1 << index;
             let argument = |at: &Variables| self.formula.argument(index, at);
+            if span.periodic && used.coordinate {
+                let [first, last] = [at(span.at(0))?, at(span.at(span.cells))?].map(|at| argument(&at));
+                if (first - last).abs() > REPEATS * first.abs().max(last.abs()).max(1.0) {
+                    if !self.steps {
+                        return Ok(None);
+                    }
+                    self.met_places.1 |= 1 << index;
+                    continue;
+                }
+            }
+            self.places.switches |= 1 << index;
             let mut before = at(span.at(0))?;
             for cell in 1..=span.cells {
                 let after = at(span.at(cell))?;
@@ -115,12 +141,6 @@ impl FormulaLaw {
                     points.push(bisect(before.coordinate, after.coordinate, 0.0, stays)[1]);
                 }
                 before = after;
-            }
-            if span.periodic && used.coordinate {
-                let [first, last] = [at(span.at(0))?, before].map(|at| argument(&at));
-                if (first - last).abs() > REPEATS * first.abs().max(last.abs()).max(1.0) {
-                    return Err(unlocated(&self.formula, index));
-                }
             }
         }
         let breaks = Breaks::new(points, span.period());
@@ -141,7 +161,7 @@ impl FormulaLaw {
             self.places.sides.push(sides);
         }
         self.places.breaks = breaks;
-        Ok(self)
+        Ok(Some(self))
     }
 
     /// Variables on which it depends.
@@ -177,35 +197,44 @@ impl FormulaLaw {
         period: Option<f64>,
     ) -> (Option<Sign>, Variables) {
         let used = self.formula.switches()[switch].used;
-        let is_met = self.is_met(used);
-        let later = |distance| side.later(state, period, distance);
+        let is_met = self.is_met(switch);
+        let later = |distance| self.placed(side.later(state, period, distance));
         let ahead =
             |distance| if is_met { later(distance) } else { side.ahead(state, period, used, distance) };
         let (sign, distance) = self.formula.side_ahead(switch, ahead);
         (sign, ahead(distance))
     }
 
+    /// Variables with the place of the point at their coordinate, as far as that is needed.
+    fn placed(&self, at: Variables) -> Variables {
+        let place = self.met_places.0.as_ref().map_or(at.place, |course| course.at(at.coordinate));
+        Variables { place, ..at }
+    }
+
     /// Whether a switch is met on the way of a motion that is calculated: no bound of one variable describes it.
-    fn is_met(&self, used: Used) -> bool {
-        self.steps && is_mixed(used)
+    fn is_met(&self, switch: usize) -> bool {
+        self.met_places.1 >> switch & 1 == 1 || self.steps && is_mixed(self.formula.switches()[switch].used)
     }
 
     /// The switches that are met on the way.
     pub(crate) fn met(&self) -> impl Iterator<Item = usize> {
-        let switches = self.formula.switches().iter().enumerate();
-        switches.filter(|(_, switch)| self.is_met(switch.used)).map(|(index, _)| index)
+        (0..self.formula.switches().len()).filter(|switch| self.is_met(*switch))
     }
 
     /// Whether all `sides` hold throughout a stretch of a motion, see [`EquationOfMotion::holds`](assur_integrator::EquationOfMotion::holds).
     pub(crate) fn holds(&self, sides: Branches, stretch: &Stretch) -> Option<bool> {
+        let places = self.met_places.0.as_ref().map(|course| {
+            let [place, slope] = course.bounds(stretch.states.coordinate);
+            [place, products(slope, stretch.states.speed)]
+        });
         let along = |name| match name {
             Variable::Coordinate => [stretch.states.coordinate, stretch.states.speed],
             Variable::Speed => [stretch.states.speed, stretch.acceleration],
             Variable::Time => [stretch.states.time, [1.0; 2]],
-            Variable::Place => [[f64::NAN; 2]; 2],
+            Variable::Place => places.unwrap_or([[f64::NAN; 2]; 2]),
         };
         let State { time, coordinate, speed } = stretch.end;
-        let end = Variables { coordinate, speed, time, place: f64::NAN };
+        let end = self.placed(Variables { coordinate, speed, time, place: f64::NAN });
         let stays = |switch| self.formula.stays(switch, sides.side(switch)?, along, &end);
         let mut found = self.met().map(stays);
         found.try_fold(true, |all, stays| Some(stays? && all))
@@ -249,9 +278,10 @@ impl FormulaLaw {
         if self.places.switches != 0 {
             cut(&mut bounds.coordinate, self.places.breaks.interval(coordinate).ends);
         }
-        for (index, switch) in
-            self.formula.switches().iter().enumerate().filter(|(_, switch)| !switch.used.place)
-        {
+        for (index, switch) in self.formula.switches().iter().enumerate() {
+            if switch.used.place && !self.is_met(index) {
+                continue;
+            }
             let (sign, from) = self.side_ahead(index, state, side, period);
             if let Some(sign) = sign {
                 found.set(index, sign);

@@ -1,10 +1,16 @@
 //! Loads and reactions of solved positions, one at a time or eight at once.
 
+use std::collections::BTreeSet;
+
 use assur_group::Wrench;
 use assur_kinematics::{LanePosition, Linkage, Position};
 use assur_number::{Lanes, Real};
 
+use crate::sharing::size;
 use crate::{ForceAnalyzer, ForceError, FrictionIteration, LoadState, Loads, Reactions, applicable};
+
+/// A reaction that changes by less than this part of loads that exchange their shares does not depend on them.
+const LEAST_RESPONSE: f64 = 1e-9;
 
 /// The force analysis of a mechanism by one method, with its memory: one position after the other.
 #[derive(Debug, Clone)]
@@ -71,6 +77,25 @@ impl<'a> Kinetostatics<'a> {
                 self.loads.leave_open(&mut self.wrenches);
             }
         }
+    }
+
+    /// The pairs whose reactions depend on how loads that hold a motion at rest together share in it, which the equilibrium leaves open;
+    /// none in another state, and where dry friction holds it, whose reactions are unknown anyway.
+    fn shared(&self, state: &LoadState, position: &Position) -> Result<Vec<usize>, ForceError> {
+        if !Loads::holds_at_rest(state) || self.reactions.friction.is_some() {
+            return Ok(Vec::new());
+        }
+        let scale = self.linkage.structure.scale;
+        let mut response = self.reactions.clone();
+        let mut open = BTreeSet::new();
+        for (mut wrenches, sum) in self.loads.exchanges(state, &position.bodies, scale) {
+            response.pairs.fill(Wrench::ZERO);
+            self.analyzer.solve(self.linkage, position, &mut wrenches, &mut response)?;
+            let pairs = response.pairs.iter().enumerate();
+            let felt = pairs.filter(|(_, pair)| size(pair, scale) > LEAST_RESPONSE * sum);
+            open.extend(felt.map(|(index, _)| index));
+        }
+        Ok(open.into_iter().collect())
     }
 
     /// Where dry friction leaves no solution at a state: see [`FrictionAnalysis::jamming_limit`](crate::FrictionAnalysis).
@@ -157,6 +182,22 @@ impl<'a> LaneKinetostatics<'a> {
         }
         let alone = std::array::from_fn(|lane| near[lane] || valueless[lane] || !together);
         self.solve_alone(alone, states, position)
+    }
+
+    /// Makes the reactions in a lane unknown (NaN) that depend on how several loads, such as two brakes, share in holding the motion at
+    /// rest; for a state that was solved.
+    pub fn leave_shares_open(
+        &mut self,
+        lane: usize,
+        state: &LoadState,
+        position: &LanePosition,
+    ) -> Result<(), ForceError> {
+        position.copy_lane(lane, &mut self.position);
+        for pair in self.single.shared(state, &self.position)? {
+            let Wrench { fx, fy, m } = &mut self.reactions.pairs[pair];
+            (fx.0[lane], fy.0[lane], m.0[lane]) = (f64::NAN, f64::NAN, f64::NAN);
+        }
+        Ok(())
     }
 
     /// The [balancing load at a change point](Kinetostatics::balancing_alone) in a lane.

@@ -3,11 +3,11 @@
 
 use assur_group::Body;
 use assur_kinematics::PositionError;
-use assur_mechanism::LawTable;
+use assur_mechanism::{LawTable, Place};
 use assur_number::search::{bisect, try_newton_root};
 use assur_number::{ROUNDING, elementary};
 
-use crate::{LoadFault, breaks::Breaks, curve::Curve, grid::Span};
+use crate::{LoadFault, breaks::Breaks, curve::Curve, grid::{Bodies, Span}};
 
 /// Motion of a body at a coordinate, or why there is none.
 pub(crate) type BodyAt<'a> = dyn FnMut(f64) -> Result<Body<f64>, PositionError> + 'a;
@@ -66,6 +66,21 @@ impl Travel {
     /// Part of the travel at a coordinate along the axis, m.
     fn share(&self, along: f64) -> f64 {
         (along - self.least) * self.inverse
+    }
+
+    /// The part of the travel of a point of a body at a coordinate, and its two derivatives; beyond the ends of the travel too.
+    pub(crate) fn motion(
+        &self,
+        bodies: &mut Bodies<'_>,
+        (coordinate, at): (f64, Place),
+    ) -> Result<[f64; 3], LoadFault> {
+        let body = bodies
+            .at(coordinate, at.link)
+            .map_err(|reason| LoadFault::NoPosition(coordinate, Box::new(reason)))?;
+        let along = |v: [f64; 2]| (self.axis[0] * v[0] + self.axis[1] * v[1]) * self.inverse;
+        let [first, second] = body.motion(body.arm(at.at)).map(along);
+        let [x, y] = body.point(at.at);
+        Ok([self.share(self.axis[0] * x + self.axis[1] * y), first, second])
     }
 
     /// Part of the travel at a place of the point in the ground's frame, 0 to 1.

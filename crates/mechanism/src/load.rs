@@ -334,6 +334,17 @@ impl LoadKind {
         }
     }
 
+    /// The law of its size, to be changed; a spring has none.
+    pub fn law_mut(&mut self) -> Option<&mut Value> {
+        match self {
+            Self::Force(Force { value, .. })
+            | Self::Moment(Moment { value, .. })
+            | Self::Brake(Brake { force: value, .. })
+            | Self::Contact(Contact { force: value, .. }) => Some(value),
+            Self::Spring(_) => None,
+        }
+    }
+
     /// The laws of its numbers that may vary: of its size and, of a contact, of the angle at which it acts.
     pub fn laws(&self) -> impl Iterator<Item = &Value> {
         self.law().into_iter().chain(self.contact().map(|contact| &contact.angle))

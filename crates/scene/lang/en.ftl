@@ -298,6 +298,7 @@ scene-friction-add-length = add `length`, or leave it out
 scene-hardly-meant = `{ $key }` = { $number } is taken in { $unit }, which is { $is }; write { $instead } if that was meant.
 scene-formula-as-number = is a formula in place of a number: { $text }
 scene-same-appearance = Point `{ $name }` ({ $codes }) looks like `{ $other }`, but has letters of another alphabet: these are two points.
+scene-negative-length = Point `{ $point }` is given by one negative number, which is its coordinate x: the link is turned round, and its angle differs by 180 deg. A length is positive: write { $length }, or { $place } if the coordinate was meant.
 scene-far-longer = Link `{ $link }` is { $length } long, the others about { $others }: is a unit wrong?
 scene-great-inertia = The moment of inertia of link `{ $link }` has a radius of gyration of { $radius }; the mechanism measures { $size }: is a unit wrong?
 scene-far-center = The center of mass of link `{ $link }` lies { $distance } from its points; the mechanism measures { $size }: is a unit wrong?

@@ -79,7 +79,7 @@ pub(crate) fn contact(section: &Section<'_>, context: &Context<'_>, id: LoadId) 
     {
         entry.fault(text!("scene-angle-of-sliding"), text!("scene-law-over-coordinate"));
     }
-    let force = value::sized(section, "force", Dimension::Force, false, context);
+    let force = value::sized(section, "force", Dimension::Force, false, context, id);
     let during = section.get("during").and_then(|entry| interval(&entry, context));
     let link = linkage.link_of(section, text!("scene-arc-of-a-link"));
     let center = section.need("center").and_then(|entry| {

@@ -4,10 +4,10 @@ use assur_mechanism::{
     GROUND, Inertia, Key, Link, LinkId, Mechanism, Name, Place, Point, PointId, Slide, SlideId,
     links_of_length_zero,
 };
-use assur_words::{Text, joined, text};
+use assur_words::{Text, joined, name as name_of, text};
 
 use crate::linkage::{SceneLinks, coordinates};
-use crate::text::{is_unprintable, row, shown, such_as};
+use crate::text::{in_quotes, is_unprintable, row, shown, such_as};
 use crate::walk::{Entry, Section};
 use crate::{edit::place, inertia, reference};
 
@@ -80,13 +80,31 @@ fn add_link<'a>(
 /// Adds the points of a link; returns the first of them.
 fn add_points(linkage: &mut SceneLinks, entry: &Entry<'_>, link: LinkId) -> Option<PointId> {
     let mut first = None;
-    for point in entry.named(text!("scene-table-of-points"), such_as("{ A = 0, B = \"120 mm\" }")) {
-        check_name(&point, "scene-no-point-name");
-        let at = coordinates(&point).unwrap_or_default();
-        let id = linkage.add_place(&point, Place { link, at });
+    let points = entry.named(text!("scene-table-of-points"), such_as("{ A = 0, B = \"120 mm\" }"));
+    let places: Vec<_> = points.iter().map(|point| coordinates(point).unwrap_or_default()).collect();
+    for (point, &at) in points.iter().zip(&places) {
+        check_name(point, "scene-no-point-name");
+        let id = linkage.add_place(point, Place { link, at });
         first = first.or(Some(id));
     }
+    if link != GROUND {
+        doubt_length(&points, &places);
+    }
     first
+}
+
+/// Notes a negative length with a unit in the place of the only point of a link beside its origin: it is a coordinate, so that the link
+/// is turned round.
+fn doubt_length(points: &[Entry<'_>], places: &[[f64; 2]]) {
+    let ([one, other], &[a, b]) = (points, places) else { return };
+    let (point, x) = if a == [0.0; 2] { (other, b[0]) } else { (one, a[0]) };
+    let alone = a == [0.0; 2] || b == [0.0; 2];
+    if let (true, true, Some(text)) = (alone, x < 0.0, point.value.as_str()) {
+        let length = in_quotes(text.trim().trim_start_matches(['-', '\u{2212}']).trim_start());
+        let place = joined("", [name_of("["), in_quotes(text), name_of(", 0]")]);
+        let told = text!("scene-negative-length", point = shown(&point.name), length = length, place = place);
+        point.faults.mistake(point.span.clone(), told);
+    }
 }
 
 /// Names are printed in tables and used in "link.point".

@@ -46,7 +46,7 @@ pub(crate) const SORTS: [Sort; 5] = [
 
 fn force(section: &Section<'_>, context: &Context<'_>, id: LoadId) -> Option<LoadKind> {
     let direction = direction(section, context);
-    let value = value::sized(section, "value", Dimension::Force, true, context);
+    let value = value::sized(section, "value", Dimension::Force, true, context, id);
     if let (Some(Direction::AgainstMotion), Some(Value::Constant(size)), Some(entry)) =
         (&direction, &value, section.get("value"))
         && *size < 0.0
@@ -79,18 +79,18 @@ fn direction(section: &Section<'_>, context: &Context<'_>) -> Option<Direction> 
     Some(if in_link { Direction::Link(angle) } else { Direction::Ground(angle) })
 }
 
-fn moment(section: &Section<'_>, context: &Context<'_>, _: LoadId) -> Option<LoadKind> {
-    let value = value::sized(section, "value", Dimension::Moment, false, context);
+fn moment(section: &Section<'_>, context: &Context<'_>, id: LoadId) -> Option<LoadKind> {
+    let value = value::sized(section, "value", Dimension::Moment, false, context, id);
     let link = context.linkage.link_of(section, text!("scene-ground-carries"));
     Some(Moment { link: link?, value: value? }.into())
 }
 
-fn brake(section: &Section<'_>, context: &Context<'_>, _: LoadId) -> Option<LoadKind> {
+fn brake(section: &Section<'_>, context: &Context<'_>, id: LoadId) -> Option<LoadKind> {
     let [radius, friction, lever] = ["radius", "friction", "lever"].map(|key| section.number(key));
     if let Some(entry) = section.get("force") {
         context.need_motion(&entry, text!("scene-a-brake"));
     }
-    let force = value::sized(section, "force", Dimension::Force, false, context);
+    let force = value::sized(section, "force", Dimension::Force, false, context, id);
     let link = context.linkage.link_of(section, text!("scene-ground-does-not-turn"));
     Some(Brake { link: link?, force: force?, radius: radius?, friction: friction?, lever: lever? }.into())
 }

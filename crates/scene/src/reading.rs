@@ -132,6 +132,16 @@ impl Told {
         }
     }
 
+    /// How the number at a span is set, which stands in the mechanism with others.
+    pub(crate) fn whole(
+        &mut self,
+        span: &Range<usize>,
+        set: impl Fn(&mut Mechanism, f64) -> bool + Send + Sync + 'static,
+    ) {
+        let set = move |mechanism: &mut Mechanism, _: Option<usize>, number: f64| set(mechanism, number);
+        self.setters.push((span.clone(), Setter(Arc::new(set))));
+    }
+
     /// The place of two coordinates that stand at each of these spans; a single number is on the x axis.
     pub(crate) fn place(
         &mut self,

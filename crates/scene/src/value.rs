@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use assur_formula::{Formula, FormulaError};
-use assur_mechanism::{LawTable, Over, Shape, Value};
+use assur_mechanism::{LawTable, LoadId, Over, Shape, Value};
 
 use assur_words::{Describe, Text, joined, number, text, unit};
 
@@ -75,23 +75,37 @@ fn refused_formula(entry: &Entry<'_>) -> bool {
     is_formula
 }
 
-/// Reads the size of a load under a key of its section, times the load's `scale`.
+/// Reads the size of a load under a key of its section, times the load's `scale`; `id`: of the load.
 pub(crate) fn sized(
     section: &Section<'_>,
     key: &str,
     dimension: Dimension,
     stroke: bool,
     context: &Context<'_>,
+    id: LoadId,
 ) -> Option<Value> {
-    let value = section.need(key).and_then(|entry| read(&entry, dimension, stroke, context))?;
-    let Some(scale) = section.get("scale") else { return Some(value) };
-    let value = value.scaled(section.number("scale")?);
+    let law = section.need(key).and_then(|entry| read(&entry, dimension, stroke, context))?;
+    let Some(scale) = section.get("scale") else { return Some(law) };
+    let value = law.clone().scaled(section.number("scale")?);
+    tell_scale(&scale, law, dimension, id);
     if let Some(size) = value.sizes().find(|size| within(*size, "", dimension).is_err()) {
         let message = text!("scene-scale-out-of-range", size = brief(size));
         scale.fault(message, text!("scene-right-unit-and-factor"));
         return None;
     }
     Some(value)
+}
+
+/// Tells how the scale of a law is set, and how far the sizes of the law stay within their limits.
+fn tell_scale(scale: &Entry<'_>, law: Value, dimension: Dimension, id: LoadId) {
+    let most = dimension.most() / law.sizes().map(f64::abs).fold(0.0, f64::max);
+    scale.is_within(0.0, -most..=most);
+    scale.faults.tell(|told| {
+        told.whole(&scale.span, move |scene, number| {
+            let found = scene.loads[id].kind.law_mut();
+            found.map(|found| *found = law.clone().scaled(number)).is_some()
+        });
+    });
 }
 
 /// The argument of the table; if `over` is missing, the keys are checked against those of all tables.

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use assur_mechanism::Mechanism;
+use assur_mechanism::{Mechanism, Step};
 use assur_number::elementary;
 use assur_scene::edit::{ParsedText, TextPlace, decimal, split};
 use assur_scene::{Dimension, Reading, SceneNumber, Unit, quantity};
@@ -114,6 +114,19 @@ impl Axis {
     /// Whether both set a number of the scene.
     pub(crate) fn shares(&self, other: &Self) -> bool {
         self.spans.iter().any(|span| other.spans.contains(span))
+    }
+
+    /// Whether this is the scale of a load, and the other one a number of what it scales.
+    pub(crate) fn scales(&self, other: &Self) -> bool {
+        let scaled = self.numbers.iter().filter_map(|number| match number.key.steps() {
+            [load @ .., Step::Name(last)] if last == "scale" => Some(load),
+            _ => None,
+        });
+        let is_law = |step: &Step| matches!(step, Step::Name(name) if name == "value" || name == "force");
+        scaled.into_iter().any(|load| {
+            let mut steps = other.numbers.iter().map(|number| number.key.steps());
+            steps.any(|steps| steps.strip_prefix(load).and_then(<[_]>::first).is_some_and(is_law))
+        })
     }
 
     /// Whether the mechanism with any value of the range is made by setting numbers.

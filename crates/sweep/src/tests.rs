@@ -5,6 +5,7 @@ mod columns;
 mod grid;
 mod keys;
 mod measures;
+mod reports;
 mod sample;
 mod variants;
 mod written;

@@ -27,7 +27,9 @@ impl Variants {
         let mut order: Vec<usize> = (0..axes.len()).collect();
         // A point that is named in another place has no effect there if a number takes the place of its name.
         order.sort_by_key(|parameter| axes[*parameter].replaces_words);
-        let order = axes.iter().all(Axis::is_free).then_some(order);
+        // A scale is set by the law that the scene has.
+        let is_scaled = |axis: &Axis| axes.iter().any(|scale| scale.scales(axis));
+        let order = axes.iter().all(|axis| axis.is_free() && !is_scaled(axis)).then_some(order);
         Self { file: file.to_owned(), scene: scene.to_owned(), base, order }
     }
 

@@ -4,9 +4,10 @@ use std::io::{self, Write};
 
 use assur_analysis::results::{Analysis, Table};
 use assur_analysis::{Calculation, Options};
+use assur_mechanism::Warning;
 use assur_parquet as parquet;
 use assur_report::{csv, json, text as report, topic};
-use assur_words::{Describe, Told, text};
+use assur_words::{Describe, Text, Told, text};
 
 use super::args::AnalyzeArgs;
 use super::fault::{Fault, Status};
@@ -19,11 +20,31 @@ use crate::verdict::Verdict;
 
 pub(crate) fn run(args: &AnalyzeArgs, style: Style) -> Result<Status, Fault> {
     let form = Form::of(args)?;
+    let mut kept = Vec::new();
+    let done = analyze(args, form, style, &mut kept);
+    kept.into_iter().for_each(|mistake| style.tell(mistake));
+    done
+}
+
+/// Calculates and writes results. What is probably not meant in the scene is told, or, where the results have it themselves, `kept` until
+/// they are written.
+fn analyze(args: &AnalyzeArgs, form: Form, style: Style, kept: &mut Vec<Text>) -> Result<Status, Fault> {
     let scene = &args.checked.scene;
     let output = Output::of(args.output.as_deref(), &scene.scene)?;
     let options = args.checked.options(false)?;
-    let session = scene::open(&scene.scene, style)?;
-    let mut study = scene::calculation(&session, &options, style)?;
+    let session = scene::read(&scene.scene)?;
+    let mut tell = |warnings: &[Warning]| -> Result<(), Fault> {
+        let mistakes = scene::mistakes(&session, warnings, style)?;
+        if form == Form::Json {
+            kept.extend(mistakes);
+        } else {
+            mistakes.into_iter().for_each(|mistake| style.tell(mistake));
+        }
+        Ok(())
+    };
+    tell(&session.mechanism.warnings)?;
+    let mut study = scene::calculated(&session, &options, style)?;
+    tell(&study.mistakes())?;
     study.tells_poles = matches!(form, Form::Text | Form::Json);
     study.tells_friction_cycle = study.tells_poles;
     args.plans.refuse(args.format, &study)?;
@@ -54,9 +75,8 @@ pub(crate) fn run(args: &AnalyzeArgs, style: Style) -> Result<Status, Fault> {
         }
     };
     drop(line);
-    // The text has its notes itself.
-    for note in analysis.warnings.iter().filter(|note| !note.is_mistake() && form != Form::Text) {
-        style.tell(text!("cli-note", note));
+    if form == Form::Json && written.is_ok() {
+        kept.clear();
     }
     if form == Form::Parquet && !analysis.trajectory.is_empty() {
         style.tell(text!("cli-parquet-motion"));

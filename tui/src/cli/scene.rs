@@ -17,9 +17,14 @@ use crate::verdict::Verdict;
 
 /// Reads a scene file. What is probably not meant in it is reported, as far as reading finds it; where that is an error, it is not read.
 pub(crate) fn open(path: &Path, style: Style) -> Result<Session, Fault> {
-    let session = Session::open(Source::File(path.to_owned())).map_err(Fault::Scene)?;
+    let session = read(path)?;
     warn(&session, &session.mechanism.warnings, style)?;
     Ok(session)
+}
+
+/// Reads a scene file, and reports nothing.
+pub(crate) fn read(path: &Path) -> Result<Session, Fault> {
+    Session::open(Source::File(path.to_owned())).map_err(Fault::Scene)
 }
 
 /// The calculation of a scene. What the motion shows to be probably not meant is reported; where that is an error, there is no calculation.
@@ -42,16 +47,28 @@ pub(crate) fn warn_of_motion(session: &Session, found: &Calculation, style: Styl
 
 /// Tells what is probably not meant in a scene, or refuses it where that is an error.
 fn warn(session: &Session, warnings: &[Warning], style: Style) -> Result<(), Fault> {
-    tell_all(warnings.iter().map(|one| session.placed(one)).collect(), style)
+    mistakes(session, warnings, style)?.into_iter().for_each(|one| style.tell(one));
+    Ok(())
+}
+
+/// What is probably not meant in a scene, with its places there. Where that is an error, the scene is refused.
+pub(crate) fn mistakes(session: &Session, warnings: &[Warning], style: Style) -> Result<Vec<Text>, Fault> {
+    let all: Vec<_> = warnings.iter().map(|one| session.placed(one)).collect();
+    refuse_strictly(&all, style)?;
+    Ok(all)
 }
 
 /// Tells what is probably not meant, or refuses it where that is an error.
 pub(super) fn tell_all(told: Vec<Text>, style: Style) -> Result<(), Fault> {
+    refuse_strictly(&told, style)?;
+    told.into_iter().for_each(|one| style.tell(one));
+    Ok(())
+}
+
+/// Refuses what is probably not meant where that is an error.
+fn refuse_strictly(told: &[Text], style: Style) -> Result<(), Fault> {
     if style.strict && !told.is_empty() {
-        return Err(Fault::Scene(text!("cli-strict", notes = joined("\n", told))));
-    }
-    for warning in told {
-        style.tell(warning);
+        return Err(Fault::Scene(text!("cli-strict", notes = joined("\n", told.iter().cloned()))));
     }
     Ok(())
 }

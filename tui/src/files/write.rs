@@ -13,7 +13,7 @@ use signal_hook::iterator::Signals;
 use tempfile::NamedTempFile;
 
 use super::lock::Lock;
-use super::{FileError, open_stream};
+use super::{FileError, MOST_LINKS, open_stream};
 use crate::lock;
 
 /// Lock of a folder while its files are replaced.
@@ -71,9 +71,20 @@ pub(crate) fn put(complete: &Path, path: &Path) -> Result<(), FileError> {
     take_place(complete, path).map_err(|error| FileError::write(path, error))
 }
 
-/// The file that a path leads to through links; the path itself where there is none.
+/// The file that a path leads to through links, be it there or not; the path itself where it is no link. Of links that lead to each
+/// other, one of them.
 pub(crate) fn behind_links(path: &Path) -> PathBuf {
-    fs::canonicalize(path).unwrap_or_else(|_| path.to_owned())
+    fs::canonicalize(path).unwrap_or_else(|_| behind_dangling(path))
+}
+
+/// What links lead to that end where nothing is.
+fn behind_dangling(path: &Path) -> PathBuf {
+    let mut path = path.to_owned();
+    for _ in 0..MOST_LINKS {
+        let Ok(next) = fs::read_link(&path) else { break };
+        path = path.parent().unwrap_or(Path::new("")).join(next);
+    }
+    path
 }
 
 /// Writes some files into a folder by a function: all of them, or none. Files of `all` that an earlier run left and this
@@ -88,20 +99,21 @@ pub(crate) fn write_folder(
         return Err(FileError::refused(folder, text!("file-not-a-folder")));
     }
     let created = !folder.exists();
+    let real = behind_links(folder);
     if created {
-        let parent = folder.parent().filter(|parent| !parent.as_os_str().is_empty() && !parent.is_dir());
+        let parent = real.parent().filter(|parent| !parent.as_os_str().is_empty() && !parent.is_dir());
         if let Some(parent) = parent {
             return Err(FileError::refused(
                 folder,
                 text!("file-no-folder", folder = name(parent.display().to_string())),
             ));
         }
-        fs::create_dir(folder).map_err(|error| FileError::write(folder, error))?;
+        fs::create_dir(&real).map_err(|error| FileError::write(folder, error))?;
     }
     // Replacing several files is not atomic, so everything that can fail before is done first.
     let ready = filled(folder, names, fill).inspect_err(|_| {
         if created {
-            let _ = fs::remove_dir(folder);
+            let _ = fs::remove_dir(&real);
         }
     })?;
     // Of two runs at once, the files are those of one.
@@ -150,10 +162,10 @@ struct Replacement {
 }
 
 impl Replacement {
-    /// An empty temporary file next to the target; a symbolic link stays, and its target is replaced.
+    /// An empty temporary file next to the target; a symbolic link stays, and its target is replaced, or made where it is missing.
     fn of(path: &Path) -> io::Result<Self> {
         let path = behind_links(path);
-        if let Ok(old) = fs::metadata(&path) {
+        if let Ok(old) = fs::symlink_metadata(&path) {
             refuse_special(&old)?;
             if old.permissions().readonly() {
                 let problem = Told(text!("file-read-only"));

@@ -92,11 +92,13 @@ pub(super) fn efficiencies(found: &Calculation, to: &mut impl Sink) {
 pub(super) fn reactions(found: &Calculation, to: &mut impl Sink) {
     // Beside passive parts each reaction may lack by itself, and the row says so.
     let beside_passive = !found.linkage.structure.passive.is_empty();
-    let mut section = to.section(false);
+    // At rest some depend on dry friction or on the shares of loads, which are not determined there, and others don't.
+    let at_rest = found.rests_leave_unknown();
+    let shared = at_rest && found.may_share();
+    let mut section = to.section(shared);
     for (index, &pair) in found.plan.wanted.reactions.iter().enumerate() {
-        // At rest some depend on dry friction, which is not determined there, and others don't.
-        if index > 0 && found.rests_leave_unknown() {
-            section = to.section(false);
+        if index > 0 && at_rest {
+            section = to.section(shared);
         }
         let links = crate::joints::ends(&found.linkage, pair);
         for (nth, link) in links.iter().enumerate() {

@@ -154,15 +154,15 @@ pub(crate) struct Rows<'a> {
 }
 
 impl Rows<'_> {
-    /// In which lanes a number that depends on dry friction is known: not where that holds a motion at rest, unless it does not
-    /// reach the number.
+    /// In which lanes a number that depends on what holds a motion at rest is known: not at rest, unless that does not reach the number.
     fn known(&self, value: Lanes, determined: Mask) -> Mask {
         std::array::from_fn(|lane| determined[lane] && (value.0[lane].is_finite() || !self.rests(lane)))
     }
 
-    /// Whether dry friction holds a motion at rest.
+    /// Whether dry friction, or several loads together, hold a motion at rest.
     fn rests(&self, lane: usize) -> bool {
-        self.calculation.rests_by_friction(&self.instants[lane].state)
+        let (found, state) = (self.calculation, &self.instants[lane].state);
+        found.rests_by_friction(state) || found.rests_by_shares(state)
     }
 
     /// A number of the state of each lane.

@@ -4,8 +4,8 @@ use assur_force::Loads;
 use assur_kinematics::Linkage;
 use assur_mechanism::{Direction, Mechanism};
 
-use super::{analyzed, coordinates, study};
-use crate::results::{Column, Quantity};
+use super::{analyzed, coordinates, ends, study};
+use crate::results::{Column, Owner, Quantity};
 use crate::{Coverage, unwatched};
 
 /// A slider-crank that runs down against a force over the stroke, a weight and a moment.
@@ -163,4 +163,22 @@ fn a_weight_drives_nothing() {
 fn who_drives_is_who_does_the_work() {
     let drives = |name: &str| analyzed(&super::text(name)).dynamics.unwrap().loads_drive();
     assert!(drives("flywheel") && !drives("shaper-drive"));
+}
+
+/// Two brakes that hold a mechanism at rest: on two links how they share is open, on one link they make a moment that is known.
+#[test]
+fn what_brakes_share_is_left_open_where_it_matters() {
+    let scene = include_str!("../../../../tests/corpus/brakes-share-rest.toml");
+    let on_one_link = scene.replace("link = \"rocker\"\nradius", "link = \"crank\"\nradius");
+    for (scene, open) in [(scene, 8), (on_one_link.as_str(), 0)] {
+        let found = analyzed(scene).trajectory;
+        let unknown = |row: usize| {
+            let ends = ends(&found).into_iter();
+            let column = |(pair, link)| Column::vector(Quantity::Force, Owner::PairOn(pair, link))[0];
+            ends.filter(|end| found.get(row, column(*end)).is_none()).count()
+        };
+        let last = found.len() - 1;
+        let speed = Column::of(Quantity::Velocity, Owner::Input);
+        assert_eq!((found.get(last, speed), unknown(0), unknown(last)), (Some(0.0), 0, open));
+    }
 }

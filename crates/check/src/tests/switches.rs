@@ -90,12 +90,9 @@ fn fault(mechanism: &Mechanism, at: f64) -> Result<bool, String> {
     let linkage = Linkage::compile(mechanism.clone()).map_err(|error| error.to_string())?;
     let loads = match Loads::compile(&linkage) {
         Ok(loads) => loads,
-        // A draft may have a force on a point that does not move, or a place that does not repeat with the cycle.
+        // A draft may have a force on a point that does not move.
         Err(error) => {
-            let is_no_load = matches!(
-                error.fault,
-                LoadFault::NoStroke(_) | LoadFault::Unlocated { .. } | LoadFault::InfiniteStroke(_)
-            );
+            let is_no_load = matches!(error.fault, LoadFault::NoStroke(_) | LoadFault::InfiniteStroke(_));
             return if is_no_load { Ok(false) } else { Err(error.to_string()) };
         }
     };

@@ -248,3 +248,141 @@ fn regimes_that_switch_over_speed_and_coordinate() {
         }
     }
 }
+
+/// Crank 0.1 m and rod 0.2 m without mass but for the crank's 0.5 kg m²: the force along the guide at B by formula, and the rest.
+fn crank(force: &str, rest: &str) -> String {
+    format!(
+        "[ground]\npoints = {{ O = 0 }}\n[link.crank]\npoints = {{ O = 0, A = 0.1 }}\nmass = 2\ncenter = 0\ninertia = 0.5\n\
+         [link.rod]\npoints = {{ A = 0, B = 0.2 }}\n[link.slider]\npoints = {{ B = 0 }}\n[[slide]]\nlink = 'slider'\n\
+         on = 'ground'\n[[force]]\nlink = 'slider'\nat = 'B'\nangle = 0\nvalue = {{ formula = '{force}', axis = 0 }}\n\
+         [assembly]\nB = [0.3, 0]\n[input]\nlink = 'crank'\n{rest}"
+    )
+}
+
+/// The place of B between its extremes 0.1 m and 0.3 m, and the derivative of its coordinate.
+fn place(q: f64) -> [f64; 2] {
+    let root = (0.04 - (0.1 * q.sin()).powi(2)).sqrt();
+    [(0.1 * q.cos() + root - 0.1) / 0.2, -0.1 * q.sin() - 0.01 * q.sin() * q.cos() / root]
+}
+
+/// What a force gives by place, speed, time and side, and on which side of its change a state is.
+type PlaceForce = (&'static str, fn([f64; 3], bool) -> f64, fn([f64; 3]) -> bool);
+
+/// A fine integration of the crank by Runge and Kutta, whose steps end where the force changes its side: times of the changes, end.
+fn crank_by_steps(
+    f: fn([f64; 3], bool) -> f64,
+    side: fn([f64; 3]) -> bool,
+    until: f64,
+) -> (Vec<f64>, [f64; 2]) {
+    let side = |[t, q, w]: [f64; 3]| side([place(q)[0], w, t]);
+    let step = |[t, q, w]: [f64; 3], h: f64, above: bool| {
+        let slope = |[t, q, w]: [f64; 3]| {
+            let [x, arm] = place(q);
+            [1.0, w, f([x, w, t], above) * arm / 0.5]
+        };
+        let ahead = |k: [f64; 3], part: f64| [t + part * h * k[0], q + part * h * k[1], w + part * h * k[2]];
+        let a = slope([t, q, w]);
+        let b = slope(ahead(a, 0.5));
+        let c = slope(ahead(b, 0.5));
+        let d = slope(ahead(c, 1.0));
+        ahead(std::array::from_fn(|i| (a[i] + 2.0 * (b[i] + c[i]) + d[i]) / 6.0), 1.0)
+    };
+    const STEPS: u32 = 20_000;
+    let h = until / f64::from(STEPS);
+    let (mut state, mut changes) = ([0.0, 0.5, 6.0], Vec::new());
+    for _ in 0..STEPS {
+        let mut left = h;
+        while left > 1e-15 {
+            let above = side(step(state, 1e-12, side(state)));
+            let stays = |h: f64| side(step(state, h, above)) == above;
+            let taken = if stays(left) { left } else { bisect(0.0, left, 0.0, stays)[1] };
+            state = step(state, taken, above);
+            if taken < left {
+                changes.push(state[0]);
+            }
+            left -= taken;
+        }
+    }
+    (changes, [state[1], state[2]])
+}
+
+/// The place of the force's point with time, with the speed, with both, and with a coordinate that does not repeat.
+#[test]
+fn motions_that_switch_over_a_place() {
+    let cases: [PlaceForce; 4] = [
+        (
+            "20*max(t/2, x)",
+            |[x, _, t], above| 20.0 * if above { 0.5 * t } else { x },
+            |[x, _, t]| t > 2.0 * x,
+        ),
+        ("5 + 4*sign(x - 0.08*w)", |_, above| if above { 9.0 } else { 1.0 }, |[x, w, _]| x > 0.08 * w),
+        (
+            "9*step(x*w - 3 - t)*w",
+            |[_, w, _], above| if above { 9.0 * w } else { 0.0 },
+            |[x, w, t]| x * w > 3.0 + t,
+        ),
+        (
+            "8*abs(2*x - t - 0.3)",
+            |[x, _, t], above| (2.0 * x - t - 0.3) * if above { 8.0 } else { -8.0 },
+            |[x, _, t]| 2.0 * x > t + 0.3,
+        ),
+    ];
+    for (force, f, side) in cases {
+        let (changes, end) = crank_by_steps(f, side, 1.5);
+        assert!(changes.len() > 1, "{force}: {changes:?}");
+        for integrator in &INTEGRATORS[..5] {
+            let motion = "[motion]\nkind = 'transient'\nspeed = 6\nuntil = '1.5 s'\n";
+            let found = solved(&crank(force, &format!("from = 0.5\n{motion}")), integrator).trajectory;
+            let met = found.events.iter().filter(|event| event.kind == EventKind::Switch);
+            near(&met.map(|event| event.state.time).collect::<Vec<_>>(), &changes, 1e-7);
+            near(&[found.end.coordinate, found.end.speed], &end, 1e-6);
+        }
+    }
+    // x = q/10 + 0.2 is met five times in two turns, and there is no sixth.
+    let motion = "[motion]\nkind = 'transient'\nspeed = 6\nuntil = '2 rev'\n";
+    let found = solved(&crank("sign(x - q/10 - 0.2)", motion), "auto").trajectory;
+    let met = found.events.iter().filter(|event| event.kind == EventKind::Switch);
+    let met: Vec<f64> = met.map(|event| event.state.coordinate).collect();
+    let side = |q: f64| place(q)[0] > q / 10.0 + 0.2;
+    let cells = (0..2000)
+        .map(|cell| [f64::from(cell), f64::from(cell + 1)].map(|at| at * std::f64::consts::TAU / 1000.0));
+    let wanted = cells.filter(|[a, b]| side(*a) != side(*b));
+    let wanted: Vec<f64> = wanted.map(|[a, b]| bisect(a, b, 0.0, |q| side(q) == side(a))[1]).collect();
+    near(&met, &wanted, 1e-9);
+    assert!(wanted.len() > 2, "{wanted:?}");
+}
+
+/// A force that jumps, and one that bends, where the place of its point and the speed make it.
+#[test]
+fn regimes_that_switch_over_a_place_and_the_speed() {
+    type Side = fn(f64, f64) -> bool;
+    type Moment = fn(f64, f64, bool) -> f64;
+    let cases: [(&str, Side, Moment); 2] = [
+        (
+            "30*sign(x - 0.1*w + 0.5)",
+            |q, w| place(q)[0] > 0.1 * w - 0.5,
+            |q, w, above| 20.0 - 2.0 * w + place(q)[1] * if above { 30.0 } else { -30.0 },
+        ),
+        (
+            "40*min(w/10, 2*x)",
+            |q, w| w / 10.0 > 2.0 * place(q)[0],
+            |q, w, above| {
+                20.0 - 2.0 * w + place(q)[1] * 40.0 * if above { 2.0 * place(q)[0] } else { w / 10.0 }
+            },
+        ),
+    ];
+    for (force, side, f) in cases {
+        let count = 40;
+        let wanted = periodic(f, side, count);
+        let rest = "[[moment]]\nlink = 'crank'\nvalue = { formula = '-2*w' }\n[motion]\nkind = 'steady'\n\
+            mean_speed = '10 rad/s'\n[drive]\ntorque = 20\nflywheel = 0\n";
+        let (linkage, loads) = compiled(&crank(force, rest));
+        let found = crate::steady(&linkage, &loads, None)
+            .unwrap_or_else(|error| panic!("{force}: {}", error.describe()));
+        for (index, wanted) in wanted.iter().enumerate() {
+            let q = std::f64::consts::TAU * index as f64 / f64::from(count);
+            let speed = found.regime.state(q).speed;
+            assert!((speed - wanted).abs() < 1e-8, "{force} at {q}: {speed} for {wanted}");
+        }
+    }
+}

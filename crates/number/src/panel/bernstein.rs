@@ -44,6 +44,32 @@ impl<const N: usize> Bernstein<N> {
         bounds(self.0.windows(2).map(|two| (two[1] - two[0]) / step))
     }
 
+    /// Its derivative where the interval is `length` long.
+    pub fn derivative(&self, length: f64) -> Self {
+        let (degree, Self(all)) = ((N - 1) as f64, self);
+        let step = |i: usize| degree * (all[i + 1] - all[i]) / length;
+        Self(std::array::from_fn(|i| {
+            let (before, part) = (i as f64 / degree, 1.0 - i as f64 / degree);
+            // By one degree more than it has.
+            let earlier = if i > 0 { before * step(i - 1) } else { 0.0 };
+            earlier + if i + 1 < N { part * step(i) } else { 0.0 }
+        }))
+    }
+
+    /// The same polynomial on a part of [0, 1], over [0, 1].
+    pub fn within(&self, [from, to]: [f64; 2]) -> Self {
+        Self(std::array::from_fn(|i| {
+            let mut all = self.0;
+            for level in 1..N {
+                let at = if level <= i { to } else { from };
+                for k in 0..N - level {
+                    all[k] += at * (all[k + 1] - all[k]);
+                }
+            }
+            all[0]
+        }))
+    }
+
     /// Its value at 1.
     pub fn end(&self) -> f64 {
         self.0[N - 1]

@@ -6,7 +6,8 @@ use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use super::{Describe, KeyDefault, KeyTable, SceneKey, TABLES, ValueKind, search, table};
+use super::{Bound, Describe, KeyDefault, KeyTable, SceneKey, TABLES, ValueKind, search, table};
+use crate::edit::{bare, split};
 use crate::tests::fixtures;
 use crate::units::quantity;
 
@@ -161,6 +162,57 @@ fn the_reader_wants_what_the_reference_says() {
             assert!(lacking.is_empty(), "{name} wants {lacking:?}: {errors}");
         }
     }
+}
+
+/// What a number that may not be negative, or not zero, is answered with, written with its unit or without: key, value, what to do.
+#[test]
+fn a_number_beyond_its_limits_is_refused_at_its_place() {
+    let scenes = shipped();
+    let mut judged = BTreeSet::new();
+    for found in all(&scenes) {
+        let name = label(&found);
+        if !matches!(found.key.limits, Bound::NotNegative | Bound::Positive) || judged.contains(&name) {
+            continue;
+        }
+        let written = &found.scene[found.value.clone()];
+        // A word stands in the place of some, a table of others.
+        let Some((number, unit)) = split(bare(written).trim()).filter(|(number, _)| *number != 0.0) else {
+            continue;
+        };
+        let quoted = |number: f64| format!("\"{number} {unit}\"");
+        let mut wrong = vec![format!("-{}", number.abs())];
+        wrong.extend((!unit.is_empty()).then(|| quoted(-number.abs())));
+        if matches!(found.key.limits, Bound::Positive) {
+            wrong.push("0".to_owned());
+            wrong.extend((!unit.is_empty()).then(|| quoted(0.0)));
+        }
+        for value in wrong {
+            let mut scene = found.scene.to_owned();
+            scene.replace_range(found.value.clone(), &value);
+            let errors = crate::read("a", &scene).expect_err(&name);
+            let line = scene[..found.value.start].matches('\n').count() + 1;
+            let told = errors.errors.iter().find(|error| error.line == line);
+            let told = told.unwrap_or_else(|| panic!("{name} = {value}: {errors}"));
+            let message = told.message.to_string();
+            let limit = if value.trim_start_matches('"').starts_with('-') {
+                "must"
+            } else {
+                "must be greater than 0"
+            };
+            assert!(
+                message.contains(limit) && message.contains(&format!("`{}`", found.key.name)),
+                "{name}: {message}"
+            );
+            assert!(
+                message.contains(&value) && told.label.to_string().contains("such as"),
+                "{name}: {errors}"
+            );
+        }
+        judged.insert(name);
+    }
+    let wanted = TABLES.iter().flat_map(|table| &table.keys);
+    let wanted = wanted.filter(|key| matches!(key.limits, Bound::NotNegative | Bound::Positive)).count();
+    assert!(judged.len() * 10 >= wanted * 8, "{} of {wanted}: {judged:?}", judged.len());
 }
 
 /// The scene without a key; a comma beside it goes as well.

@@ -16,7 +16,7 @@ fn row(scene: &str, positions: usize, between: bool, measures: &[&str]) -> Rows 
 }
 
 /// The shipped scenes that state how many positions they have.
-fn scenes() -> impl Iterator<Item = (&'static str, &'static str, usize)> {
+pub(super) fn scenes() -> impl Iterator<Item = (&'static str, &'static str, usize)> {
     SCENES.iter().filter_map(|(name, text)| {
         let mechanism = assur_scene::read(name, text).unwrap();
         text.contains("\npositions").then_some((*name, *text, mechanism.input.positions))

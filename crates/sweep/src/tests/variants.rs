@@ -42,11 +42,10 @@ fn every_number_of_every_scene_is_set_as_it_is_read() {
         }
     }
     assert!(set > 1000, "{set}");
-    // Read as text: counts, tables and the scale that is multiplied into them, ends of ranges and of intervals, pairs of
+    // Read as text: counts, tables and numbers that a scale is multiplied into, ends of ranges and of intervals, pairs of
     // speeds, steps; what is in the note alone; and the efficiency, because more than 1 is refused.
     let allowed = [
         ".table[",
-        ".scale",
         ".forward",
         ".back",
         "input.positions",
@@ -98,7 +97,21 @@ fn a_number_that_is_tied_to_others_is_read() {
         |scale: &str| SLIDER.replace("value = \"1 kN\"", &format!("value = \"1 kN\"\nscale = {scale}"));
     set_as_read(&scaled("0.5"), &["force.gas.value=1 kN..2 kN:3"], false);
     set_as_read(&scaled("1"), &["force.gas.value=1 kN..2 kN:3"], true);
-    set_as_read(&scaled("1"), &["force.gas.scale=1..2:3"], false);
+    let scale = "force.gas.scale=-1..2:4";
+    for written in ["1", "0.5", "0"] {
+        set_as_read(&scaled(written), &[scale], true);
+        set_as_read(&scaled(written), &[scale, "force.gas.angle=0 deg..90 deg:2"], true);
+        set_as_read(&scaled(written), &[scale, "force.gas.value=1 kN..2 kN:2"], false);
+    }
+    for law in [
+        "{ over = \"angle\", table = [[0, 5], [1, 7]] }",
+        "{ formula = \"3*sin(q)\" }",
+        "{ over = \"stroke\", axis = 0.1, forward = [[0, 2], [1, 3]], back = 4 }",
+    ] {
+        set_as_read(&scaled("2").replace("\"1 kN\"", law), &[scale], true);
+    }
+    // Beyond the greatest force.
+    assert!(!sweep(&scaled("1"), &["force.gas.scale=1..1e15:2"]).unwrap().variants.sets_numbers());
     set_as_read(SLIDER, &["input.positions=6..12:2"], false);
     // A rod with a mass needs a center; the piston has one point.
     let rod = SLIDER.replace("B = 0.3 }", "B = 0.3 }\nmass = 0");

@@ -33,7 +33,8 @@ pub(super) fn form(path: &Path) -> Result<Form, Fault> {
     if form == Form::Parquet && files::is_stream(path) {
         return Err(fault(text!("file-parquet-stream")));
     }
-    match path.parent().filter(|folder| !folder.as_os_str().is_empty() && !folder.is_dir()) {
+    let real = files::behind_links(path);
+    match real.parent().filter(|folder| !folder.as_os_str().is_empty() && !folder.is_dir()) {
         Some(folder) => Err(fault(text!("file-no-folder", folder = name(folder.display().to_string())))),
         None => Ok(form),
     }
@@ -58,6 +59,9 @@ impl<'a> Unfinished<'a> {
         }
         // Beside the file itself, not beside a link to it.
         let real = files::behind_links(target);
+        if real.is_symlink() {
+            return Err(FileError::refused(target, text!("file-replaces-no-file")).into());
+        }
         let path = with_ending(&real, ".part");
         let lock = Lock::of(&with_ending(&path, ".lock"), target)?;
         if lock.is_none() {

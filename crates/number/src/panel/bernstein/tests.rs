@@ -15,4 +15,9 @@ fn a_cubic_through_its_values() {
     near(&found.slopes(1.0), &[-3.0, 3.0]);
     near(&first.slopes(0.5), &[-3.0, -1.5]);
     near(&first.bounds(), &[cubic(0.5), 1.0]);
+    near(&found.within([0.5, 1.0]).0, &second.0);
+    near(&found.within([0.25; 2]).0, &[cubic(0.25); 4]);
+    // -3 + 6 x² over an interval of length 2.
+    let derivative = found.derivative(2.0);
+    near(&[0.0, 0.5, 1.0].map(|x| derivative.within([x; 2]).0[0]), &[-1.5, -0.75, 1.5]);
 }

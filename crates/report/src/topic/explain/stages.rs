@@ -2,7 +2,7 @@
 
 use std::collections::HashSet;
 
-use assur_analysis::{Methods, plan::Plan};
+use assur_analysis::{Methods, Options, plan::Plan};
 use assur_book::link_name;
 use assur_group::Order;
 use assur_mechanism::{
@@ -230,9 +230,18 @@ fn idle(mechanism: &Mechanism, structure: &Structure, plan: &Plan) -> Option<Tex
     let names = others(mechanism, structure, carrying);
     match (idle, plan.by_groups) {
         (0, _) => None,
-        (_, false) => Some(text!("explain-idle-as-one-system", groups = names)),
+        (_, false) => {
+            let hint = hint(mechanism, structure);
+            Some(text!("explain-idle-as-one-system", groups = names, hint = hint))
+        }
         (idle, true) => Some(text!("explain-idle", idle, all, groups = names)),
     }
+}
+
+/// The method that would leave out groups without a load, where the one that is used by itself does.
+fn hint(mechanism: &Mechanism, structure: &Structure) -> Text {
+    let own = assur_analysis::methods(mechanism, structure, &Options::default());
+    if own.by_groups { text!("explain-leaves-out", method = name(own.analyzer)) } else { Text::default() }
 }
 
 fn balancing(mechanism: &Mechanism, plan: &Plan) -> Stage {
