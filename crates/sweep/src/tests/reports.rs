@@ -134,9 +134,8 @@ impl Report {
     fn strokes(&mut self) {
         let Ok(found) = geometry(&self.calculation.linkage, GROUND) else { return };
         let mut courses = Vec::new();
-        courses.extend(
-            found.slides.iter().map(|(of, it)| (of.name.to_string(), "", Some(it.pf0), it.stroke.clone())),
-        );
+        courses
+            .extend(found.slides.iter().map(|(of, it)| (of.name.to_string(), "", it.pf0, it.stroke.clone())));
         courses.extend(
             found.links.iter().map(|(of, it)| (of.name.to_string(), "angle", it.pf0, it.stroke.clone())),
         );
@@ -293,7 +292,7 @@ fn every_measure_is_that_of_a_report() {
             of.fold(0.0_f64, |most, (_, value)| most.max(value.abs()))
         };
         let sizes: BTreeMap<_, _> = MEASURES.iter().map(|of| (of.name, size(of.name))).collect();
-        for (column, head) in table.header().iter().enumerate() {
+        for (column, head) in table.columns.names.iter().enumerate() {
             let (CsvCell::Number(found), Some(known)) = (table.cell(0, column), report.known.get(head))
             else {
                 continue;
