@@ -248,9 +248,7 @@ impl<'a> Builder<'a> {
                 vec![measurand("_", place, Source::Nth(nth))]
             }
             _ if !self.has(owner) => Vec::new(),
-            (Of::Points, Owner::Point(_)) => {
-                vec![gathered("_x_", x), gathered("_y_", y)]
-            }
+            (Of::Points, Owner::Point(_)) => vec![gathered("_x_", x), gathered("_y_", y)],
             (Of::Slides, Owner::Slide(_)) => vec![gathered("_", place)],
             (Of::Links, Owner::Link(_)) => vec![gathered("_angle_", place)],
             _ => Vec::new(),

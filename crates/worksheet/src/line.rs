@@ -71,21 +71,8 @@ impl Line {
 pub enum Entry {
     /// A remark.
     Note(Text),
-    /// An equation without numbers: its two sides.
-    Equation([Expr; 2]),
-    /// A given quantity, with its value as printed and its unit.
-    Given {
-        /// The quantity.
-        symbol: Symbol,
-        /// Its value, all digits.
-        value: f64,
-        /// The value as printed in English.
-        result: String,
-        /// Unit; may be empty.
-        unit: &'static str,
-        /// Description; may be empty.
-        what: Text,
-    },
+    /// An equation without numbers, or a given quantity: what stands between the signs of equality.
+    Equation(Vec<Vec<Term>>),
     /// An equation.
     Line(Line),
 }
@@ -93,26 +80,23 @@ pub enum Entry {
 impl Entry {
     /// What stands between the signs of equality; nothing for a remark.
     pub fn sides(&self) -> Vec<Vec<Term>> {
-        let result = |digits: &str, unit: &'static str| {
-            let unit = (!unit.is_empty()).then_some(Term::Unit(unit));
-            std::iter::once(Term::Number(digits.to_owned())).chain(unit).collect::<Vec<_>>()
-        };
         match self {
             Self::Note(_) => Vec::new(),
-            Self::Equation(sides) => sides.iter().map(|side| side.terms(Show::Names)).collect(),
-            Self::Given { symbol, result: digits, unit, what, .. } => {
-                let mut given = result(digits, unit);
-                given.extend((!what.is_empty()).then(|| Term::Words(what.clone())));
-                vec![vec![Term::Symbol(symbol.clone())], given]
-            }
+            Self::Equation(sides) => sides.clone(),
             Self::Line(line) => {
                 let mut sides = vec![vec![Term::Symbol(line.symbol.clone())]];
                 sides.extend(line.middle());
-                sides.push(result(&line.result, line.unit));
+                sides.push(measured(&line.result, line.unit));
                 sides
             }
         }
     }
+}
+
+/// A number as printed in English, and its unit, which may be empty.
+pub(crate) fn measured(digits: &str, unit: &'static str) -> Vec<Term> {
+    let unit = (!unit.is_empty()).then_some(Term::Unit(unit));
+    std::iter::once(Term::Number(digits.to_owned())).chain(unit).collect()
 }
 
 /// A part of a working under one heading.

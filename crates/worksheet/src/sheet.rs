@@ -6,7 +6,9 @@ use assur_group::{Body, BuildError, GroupFrame};
 use assur_plugin::RegistryError;
 use assur_words::{Language, Text, text};
 
-use crate::{Entry, Expr, Line, Point, Pose, Reaction, Section, Symbol, WorkedLoad, figure::shortest};
+use crate::line::measured;
+use crate::term::Show;
+use crate::{Entry, Expr, Line, Point, Pose, Reaction, Section, Symbol, Term, WorkedLoad, figure::shortest};
 
 /// Number of digits of a given quantity.
 const GIVEN_DIGITS: usize = 9;
@@ -133,7 +135,7 @@ impl Sheet {
 
     /// Writes an equation without numbers.
     pub fn equation(&mut self, left: Expr, right: Expr) {
-        self.push(Entry::Equation([left, right]));
+        self.push(Entry::Equation([left, right].map(|side| side.terms(Show::Names)).into()));
     }
 
     /// The symbol, or one with a number that no other quantity has yet.
@@ -150,10 +152,11 @@ impl Sheet {
             return Expr::symbol(symbol, value);
         }
         let symbol = self.free(symbol);
-        let result = shortest(value, GIVEN_DIGITS);
+        let mut shown = measured(&shortest(value, GIVEN_DIGITS), unit);
+        shown.extend((!what.is_empty()).then_some(Term::Words(what)));
         self.symbols.insert(key(&symbol), value);
         self.unfit |= !value.is_finite();
-        self.push(Entry::Given { symbol: symbol.clone(), value, result, unit, what });
+        self.push(Entry::Equation(vec![vec![Term::Symbol(symbol.clone())], shown]));
         Expr::symbol(symbol, value)
     }
 
