@@ -43,7 +43,6 @@ const ANSWERS: &[(&str, Answer)] = &[
         }),
     ),
     ("brake-rod-friction", Numbers(nothing_drives)),
-    ("brakes-share-rest", Numbers(the_shares_of_brakes_are_open)),
     ("change-point-in-part-of-a-turn", Numbers(central_slider)),
     ("check-jump-mm", Numbers(any)),
     ("check-stroke-transient", Numbers(any)),
@@ -239,25 +238,6 @@ fn a_stroke_to_its_end(found: &Value) -> bool {
     let positions = found["positions"].as_array().map_or(&[][..], Vec::as_slice);
     positions.len() == wanted.len()
         && positions.iter().zip(wanted).all(|(position, wanted)| is(&position["balancing"], wanted, 1e-8))
-}
-
-/// At rest the reactions that two brakes reach are null, and the ram's weight lies on its guide: 2 kg.
-fn the_shares_of_brakes_are_open(found: &Value) -> bool {
-    let samples = found["trajectory"].as_array().map_or(&[][..], Vec::as_slice);
-    let Some([first, .., last]) = samples.get(..) else { return false };
-    let reactions = &last["reactions"];
-    let open = |pin: &str, link: &str| {
-        reactions[pin].get(link).is_some_and(Value::is_null) && first["reactions"][pin][link].is_array()
-    };
-    let force = &reactions["ram/ground"]["ram"];
-    last["speed"] == 0.0
-        && [("O", "crank"), ("A", "coupler"), ("B", "rocker"), ("C", "ground")]
-            .iter()
-            .all(|(pin, link)| open(pin, link))
-        && is(&force[0], 0.0, 1e-12)
-        && is(&force[1], 19.62, 1e-12)
-        && is(&reactions["D"]["pusher"][1], 0.0, 1e-12)
-        && is(&last["balancing"], 0.0, 1e-9)
 }
 
 /// Friction takes power in each of the ten positions that can be assembled.

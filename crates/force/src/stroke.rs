@@ -7,7 +7,12 @@ use assur_mechanism::{LawTable, Place};
 use assur_number::search::{bisect, try_newton_root};
 use assur_number::{ROUNDING, elementary};
 
-use crate::{LoadFault, breaks::Breaks, curve::Curve, grid::{Bodies, Span}};
+use crate::{
+    LoadFault,
+    breaks::Breaks,
+    curve::Curve,
+    grid::{Bodies, Span},
+};
 
 /// Motion of a body at a coordinate, or why there is none.
 pub(crate) type BodyAt<'a> = dyn FnMut(f64) -> Result<Body<f64>, PositionError> + 'a;

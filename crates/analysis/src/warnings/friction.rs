@@ -20,7 +20,8 @@ impl Calculation {
         let mut notes = Vec::new();
         for bearing in &frictions.bearings {
             let named = |link: usize| Text::from(&mechanism.links[link].name);
-            let (pair, link, on) = (mechanism.pair_name(bearing.pair), named(bearing.link), named(bearing.on));
+            let (pair, link, on) =
+                (mechanism.pair_name(bearing.pair), named(bearing.link), named(bearing.on));
             if bearing.rests() {
                 notes.push(text!("analysis-friction-rests", pair, link, on));
                 continue;

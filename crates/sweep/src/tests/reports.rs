@@ -24,17 +24,21 @@ struct Report {
 }
 
 impl Report {
-    fn of(scene: &str) -> Self {
+    /// `dense`: also of what is searched by itself for each of very many columns.
+    fn of(scene: &str, dense: bool) -> Self {
         let mechanism = assur_scene::read("a.toml", scene).unwrap();
         let calculation = Calculation::of(mechanism, &Options::default(), &mut unwatched).unwrap();
         let analysis = calculation.analyze(&mut unwatched).unwrap();
         let edges = calculation.edges(&analysis.positions);
         let mut report = Self { calculation, analysis, edges, known: BTreeMap::new() };
-        report.places();
+        if dense {
+            report.places();
+            report.forces();
+        }
+        report.distances();
         report.motions();
         report.strokes();
         report.groups();
-        report.forces();
         report.shaking();
         report.regime();
         report.end();
@@ -94,18 +98,21 @@ impl Report {
                     self.put(format!("{name}_travel"), unit, Some(greatest - least));
                 }
             }
-            if let Owner::Point(_) = owner {
-                let [x, y] = Column::vector(Quantity::Transfer(0), owner);
-                let away = self.range_of(&|table, row| Some(table.get(row, x)?.hypot(table.get(row, y)?)));
-                let of = |turn: fn(Range) -> f64| away.map(turn);
-                self.put(format!("{name}_distance_1_least"), Unit::LENGTH, of(|range| range.least.value));
-                self.put(
-                    format!("{name}_distance_1_greatest"),
-                    Unit::LENGTH,
-                    of(|range| range.greatest.value),
-                );
-            }
         }
+    }
+
+    /// From the origin.
+    fn distances(&mut self) {
+        let points = self.parts().into_iter();
+        let Some((owner, name)) = points.into_iter().find(|(owner, _)| matches!(owner, Owner::Point(_)))
+        else {
+            return;
+        };
+        let [x, y] = Column::vector(Quantity::Transfer(0), owner);
+        let away = self.range_of(&|table, row| Some(table.get(row, x)?.hypot(table.get(row, y)?)));
+        let of = |turn: fn(Range) -> f64| away.map(turn);
+        self.put(format!("{name}_distance_1_least"), Unit::LENGTH, of(|range| range.least.value));
+        self.put(format!("{name}_distance_1_greatest"), Unit::LENGTH, of(|range| range.greatest.value));
     }
 
     fn motions(&mut self) {
@@ -118,8 +125,14 @@ impl Report {
             (Quantity::Velocity, "speed", of_time),
             (Quantity::Acceleration, "acceleration", of_time),
         ];
-        for ((owner, name), (quantity, word, _)) in self
-            .parts()
+        // Two parts of each kind tell.
+        let parts = self.parts();
+        let kind = |of: &Owner| std::mem::discriminant(of);
+        let before =
+            |index: usize| parts[..index].iter().filter(|(of, _)| kind(of) == kind(&parts[index].0)).count();
+        let few: Vec<_> =
+            (0..parts.len()).filter(|index| before(*index) < 2).map(|index| parts[index].clone()).collect();
+        for ((owner, name), (quantity, word, _)) in few
             .into_iter()
             .flat_map(|part| all.into_iter().map(move |of| (part.clone(), of)))
             .filter(|(_, (.., is_there))| *is_there)
@@ -133,16 +146,12 @@ impl Report {
 
     fn strokes(&mut self) {
         let Ok(found) = geometry(&self.calculation.linkage, GROUND) else { return };
-        let mut courses = Vec::new();
-        courses
-            .extend(found.slides.iter().map(|(of, it)| (of.name.to_string(), "", it.pf0, it.stroke.clone())));
-        courses.extend(
-            found.links.iter().map(|(of, it)| (of.name.to_string(), "angle", it.pf0, it.stroke.clone())),
-        );
-        for (name, kind, pf0, stroke) in courses {
-            let unit = if kind == "angle" { Unit::ANGLE } else { Unit::LENGTH };
-            self.put(format!("{name}_stroke"), unit, pf0.map(|pf0| pf0.max - pf0.min));
-            self.put(format!("{name}_time_ratio"), Unit::NONE, stroke.and_then(|stroke| stroke.time_ratio));
+        let slides = found.slides.iter().map(|(of, course)| (of.name.to_string(), Unit::LENGTH, course));
+        let links = found.links.iter().map(|(of, course)| (of.name.to_string(), Unit::ANGLE, course));
+        for (name, unit, course) in slides.chain(links) {
+            let ratio = course.stroke.as_ref().and_then(|stroke| stroke.time_ratio);
+            self.put(format!("{name}_stroke"), unit, course.pf0.map(|pf0| pf0.max - pf0.min));
+            self.put(format!("{name}_time_ratio"), Unit::NONE, ratio);
         }
     }
 
@@ -272,17 +281,24 @@ fn measure_of(head: &str) -> Option<&'static str> {
     fits.max_by_key(|(length, _)| *length).map(|(_, measure)| measure)
 }
 
+/// Measures of which a mechanism has very many columns between positions, each of which is searched by itself: in small ones they tell.
+const DENSE: [&str; 5] = ["balancing", "balancing-rms", "reactions", "reaction-rms", "extremes"];
+/// Most links of a small mechanism, with the ground.
+const SMALL: usize = 4;
+
 #[test]
 fn every_measure_is_that_of_a_report() {
     let mut compared: BTreeMap<&str, usize> = BTreeMap::new();
     let mut wrong = Vec::new();
     // Forty four-bars have a thousand columns, each of which is searched by itself; two of them have the same kinds.
     for (name, scene, positions) in scenes().filter(|(name, ..)| *name != "n-four-bar-40") {
-        let report = Report::of(scene);
+        let dense = assur_scene::read(name, scene).unwrap().links.len() <= SMALL;
+        let report = Report::of(scene, dense);
         let point = report.parts().into_iter().find(|(owner, _)| matches!(owner, Owner::Point(_)));
         let targets =
             point.iter().filter_map(|(_, name)| Target::parse(&format!("{name}=0,0")).ok()).collect();
-        let measures = Measure::named(&["all"]).unwrap();
+        let names = MEASURES.iter().map(|measure| measure.name).filter(|name| dense || !DENSE.contains(name));
+        let measures = Measure::named(&names.collect::<Vec<_>>()).unwrap();
         let request = SweepRequest { measures, targets, between: true, ..SweepRequest::default() };
         let vary = format!("input.positions={positions}..{positions}:1");
         let table = rows(&requested(scene, &[&vary], request).unwrap(), 1);
