@@ -86,7 +86,7 @@ pub(crate) fn structure(args: &StructureArgs, style: Style) -> Result<Status, Fa
     let (study, status) = structure_of(args, style)?;
     let text = match args.format {
         Form::Text => report::page(&study, style.words(), topic::structure_study).map_err(Fault::told)?,
-        Form::Json => json::to_json(&study, style.ascii).map_err(Fault::told)?,
+        Form::Json => json::to_json(&study, style.ascii_data).map_err(Fault::told)?,
     };
     output.write(text, status)
 }
@@ -149,8 +149,8 @@ pub(crate) fn geometry(
     };
     let text = match args.format {
         Format::Text => report::page(&found, style.words(), topic::geometry).map_err(Fault::told)?,
-        Format::Json => json::to_json(&found, style.ascii).map_err(Fault::told)?,
-        Format::Csv => csv::geometry(&found, style.ascii).map_err(Fault::told)?,
+        Format::Json => json::to_json(&found, style.ascii_data).map_err(Fault::told)?,
+        Format::Csv => csv::geometry(&found, style.ascii_data).map_err(Fault::told)?,
     };
     output.write(text, verdict.status())
 }
@@ -179,8 +179,8 @@ pub(crate) fn shaking(args: &ShakingArgs, style: Style) -> Result<Status, Fault>
     };
     let text = match args.format {
         Format::Text => report::page(&found, style.words(), topic::shaking).map_err(Fault::told)?,
-        Format::Json => json::to_json(&found, style.ascii).map_err(Fault::told)?,
-        Format::Csv => csv::shaking(&found, style.ascii).map_err(Fault::told)?,
+        Format::Json => json::to_json(&found, style.ascii_data).map_err(Fault::told)?,
+        Format::Csv => csv::shaking(&found, style.ascii_data).map_err(Fault::told)?,
     };
     output.write(text, verdict.status())
 }

@@ -76,15 +76,23 @@ pub(super) fn go_back(state: &mut State) {
     }
 }
 
-/// Goes to the greatest value of the quantity that the view is about; of one whose sign is a sense to that of greatest modulus.
+/// Goes to the greatest value of the quantity that the view is about, between the positions too; of one whose sign is a sense to that
+/// of greatest modulus.
 pub(super) fn greatest(state: &mut State) {
-    let Some(series) = state.main_series() else { return state.say(Role::Plain, text!("say-no-extreme")) };
+    let Some((series, scene)) = state.main_series().zip(state.scene.as_ref()) else {
+        return state.say(Role::Plain, text!("say-no-extreme"));
+    };
     let is_sense = assur_book::catalogue::sign_is_sense(series.column);
     let turns = series.course.turns();
-    let all = Turn::statistic(&turns);
+    let range = scene.found.as_ref().and_then(|found| found.range(series));
+    let reached = range.map_or_else(|| turns.clone(), |range| vec![range.greatest, range.least]);
+    let all = Turn::statistic(&reached);
     let found = if is_sense { all.farthest() } else { all.greatest() };
     let told = if is_sense { "say-extreme-farthest" } else { "say-extreme-greatest" };
-    to_extreme(state, told, found.map(|best| turns[best.number]));
+    let best = found.map(|best| reached[best.number]);
+    let away = |turn: &Turn, best: Turn| (turn.at - best.at).abs();
+    let nearest = |best| turns.iter().min_by(|a, b| away(a, best).total_cmp(&away(b, best))).copied();
+    to_extreme(state, told, best.and_then(|best| Some((nearest(best)?, best))));
 }
 
 /// Goes on to the next extreme of the quantity that the view is about, after the last one the first.
@@ -98,16 +106,18 @@ pub(super) fn next_extreme(state: &mut State) {
     let from = shown.map_or_else(|| input.coordinate(state.position), |(_, _, at)| at);
     let turns = series.course.turns();
     let next = turns.iter().find(|turn| sense * (turn.at - from) > 0.0).or(turns.first()).copied();
-    to_extreme(state, "say-extreme-next", next);
+    let refined = |turn| scene.found.as_ref().map_or(turn, |found| found.extreme(series, turn));
+    to_extreme(state, "say-extreme-next", next.map(|turn| (turn, refined(turn))));
 }
 
-/// Goes to the position nearest to a local extreme, and says where the extreme is and how great.
-fn to_extreme(state: &mut State, told: &'static str, turn: Option<Turn>) {
-    let Some((turn, (series, scene))) = turn.zip(state.main_series().zip(state.scene.as_ref())) else {
+/// Goes to the position nearest to a local extreme, given as it is at the positions and as it is found between them, and says where it is
+/// and how great.
+fn to_extreme(state: &mut State, told: &'static str, turns: Option<(Turn, Turn)>) {
+    let Some(((turn, found), (series, scene))) = turns.zip(state.main_series().zip(state.scene.as_ref()))
+    else {
         return state.say(Role::Plain, text!("say-no-extreme"));
     };
     let near = scene.nearest(turn.at);
-    let found = scene.found.as_ref().map_or(turn, |found| found.extreme(series, turn));
     let (own, factor) = coordinate_unit(&scene.linkage);
     let at = || quantity(digits(factor * found.at, 6), own);
     let (value, place) = if found.value.is_finite() {

@@ -3,6 +3,7 @@
 use ratatui::layout::Rect;
 
 use super::{View, empty, opened, press, scene, settle, text, write};
+use crate::number::number as plain;
 use crate::screen::command;
 use crate::screen::state::{PickerKind, State, ViewPart};
 use crate::screen::view;
@@ -60,6 +61,39 @@ fn the_greatest_moment_of_a_guide_is_found_and_gone_to() {
         (shown_mean - mean).abs() < 2e-3 * rms && (shown_rms - rms).abs() < 2e-3 * rms,
         "{mean} {rms}: {row}"
     );
+}
+
+#[test]
+fn the_greatest_value_that_is_gone_to_is_that_of_the_table() {
+    let mut compared = 0;
+    for name in ["shaper", "conveyor", "four-bar"] {
+        let mut state = opened(name);
+        let found = state.found().unwrap();
+        let best = |series: &assur_picture::Series| {
+            let range = found.range(series)?;
+            let is_sense = assur_book::catalogue::sign_is_sense(series.column);
+            let by_modulus = if range.least.value.abs() > range.greatest.value.abs() {
+                range.least
+            } else {
+                range.greatest
+            };
+            Some((
+                series.short.clone(),
+                series.factor * if is_sense { by_modulus } else { range.greatest }.value,
+            ))
+        };
+        let all: Vec<_> =
+            found.series.iter().filter_map(best).filter(|(_, best)| best.abs() > 1e-6).collect();
+        for (short, best) in all {
+            state.view = View::Curves;
+            state.picked = vec![short.clone()];
+            press(&mut state, "g");
+            let frame = text(&state, 160, 24);
+            assert!(frame.contains(&plain(best)), "{name} {short}: {best}\n{frame}");
+            compared += 1;
+        }
+    }
+    assert!(compared > 60, "{compared}");
 }
 
 #[test]
