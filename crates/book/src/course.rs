@@ -96,7 +96,7 @@ impl Course {
         jumps.map(|two| Jump { at: two[0][0], values: [two[0][1], two[1][1]] })
     }
 
-    /// Where the line ends or begins beside places without a value: the last place that has one, and the first that has none.
+    /// The borders of gaps: the last coordinate that has a value and the first beside it that has none.
     pub fn ends(&self) -> Vec<[f64; 2]> {
         let end = |two: &[[f64; 2]]| match [two[0][1], two[1][1]].map(f64::is_nan) {
             [false, true] => Some([two[0][0], two[1][0]]),
@@ -224,7 +224,7 @@ impl Course {
                 let over = |at: Option<[f64; 2]>| at.map(|at| sign * (here[1] - at[1]));
                 let (behind, ahead) = (over(before_it), over(after_it));
                 let turns_here = behind.is_none_or(|by| by > same) && ahead.is_none_or(|by| by >= -same);
-                // It lies on the side of the neighbor that is nearer to it.
+                // The first and the last place of a closed course are one: its extreme counts once, at the side of the nearer neighbor.
                 let elsewhere = wraps && (index == 0 && behind < ahead || index == last && ahead <= behind);
                 if turns_here && !elsewhere && (before_it.is_some() || after_it.is_some()) {
                     let within = [before.unwrap_or(*here)[0], after.unwrap_or(*here)[0]];

@@ -31,7 +31,7 @@ pub enum Digits {
 }
 
 impl Digits {
-    /// A number as it is written; `largest`: of its column, `kind`: of its unit nearby.
+    /// A number as it is written; `largest`: the greatest magnitude in its column, `kind`: in all columns of its unit.
     pub(crate) fn write(self, value: f64, [largest, kind]: [f64; 2]) -> Text {
         if !value.is_finite() {
             return name(NONE);

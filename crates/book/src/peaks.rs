@@ -8,7 +8,7 @@ use assur_kinematics::continuous_angle;
 
 use crate::{Course, catalogue::reactions};
 
-/// Extremes of a curve that are not farther from the greatest one than this part of it may be the greatest.
+/// Extremes at the positions within this fraction of the greatest one are refined between them; no other can be the greatest.
 const NEAR: f64 = 0.02;
 
 /// What reads a number from a row.
@@ -45,8 +45,8 @@ fn columns(schema: &Schema) -> Vec<Column> {
     columns
 }
 
-/// One of the extremes of a course, found between its places too, and beside places without a value, where it may grow without limit;
-/// of a constant its first value.
+/// The extreme of a course that `pick` chooses, refined between the positions; infinite where it grows without limit beside places
+/// without a value. A constant has its first value.
 fn most(
     calculation: &Calculation,
     course: &Course,

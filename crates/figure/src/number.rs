@@ -3,10 +3,10 @@
 #[cfg(test)]
 mod tests;
 
-/// What is above a step by less is that step.
+/// Relative tolerance with which a number counts as a step.
 const SAME: f64 = 1e-9;
 
-/// The least of some numbers, each times a power of ten, that is not below another one; `steps` rise from 1.
+/// The smallest `s` times a power of ten that is at least `least`, with `s` one of `steps`, which rise from 1.
 pub(crate) fn round_up(least: f64, steps: &[f64]) -> f64 {
     if !(least.is_finite() && least > 0.0) {
         return 1.0;

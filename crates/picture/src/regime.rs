@@ -110,7 +110,7 @@ pub(crate) fn moments(found: &Found, regime: &RegimeOverCycle, look: &Look<'_>) 
 /// The area between the driving and the resisting moment from the place of one extreme of the speed to that of the other one, and
 /// the excess work (E fig. 4: F* and A*); `None` where the area is not that work, as with links of much inertia.
 fn excess(found: &Dynamics, [driving, resisting]: [&Course; 2]) -> Option<(Vec<Point>, f64)> {
-    /// What the area between drawn points may lack of the work.
+    /// Allowed relative difference between the area of the drawn polygon and the excess work; beyond it nothing is shaded.
     const ROUGH: f64 = 1e-3;
     let figures = &found.figures;
     let [from, to] = [figures.coordinate_at_min, figures.coordinate_at_max];

@@ -38,7 +38,7 @@ pub struct Results {
     modes: RefCell<HashMap<[usize; 2], Option<Arc<Modes>>>>,
 }
 
-/// A coordinate nearer to a position than this part of the way to the next one is in it.
+/// A coordinate within this fraction of a step from a position counts as that position.
 const AT_POSITION: f64 = 1e-6;
 
 /// A position that can't be assembled.

@@ -33,7 +33,7 @@ pub(crate) struct MeasureColumn {
     pub(crate) find: Find,
 }
 
-/// What there is a column of. Successive columns of the same are written of one thing after the other.
+/// The kind of thing that owns a column. Successive columns of one kind are written owner by owner.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Of {
     /// A periodic regime: any, one whose flywheel is sought, with a motor, with another driving torque.

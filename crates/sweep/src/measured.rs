@@ -30,7 +30,7 @@ pub(crate) enum Gathered {
 }
 
 impl Gathered {
-    /// Whether it is the same under all loads.
+    /// Whether it depends on the positions only, so that it is kept while only loads change.
     fn is_of_places(&self) -> bool {
         match self {
             Self::Column(column) => *column != Column::BALANCING,

@@ -16,7 +16,7 @@ pub(crate) struct Reach {
     all_forces: bool,
     /// Of each link the number of its group from 1; 0 for the ground and the input link.
     stage: Vec<usize>,
-    /// By these numbers: whether the positions of the links can change, and whether what acts on them can.
+    /// By stage: whether the positions of its links can change, and whether the loads on them can.
     moves: Vec<bool>,
     felt: Vec<bool>,
     /// Of each point whether it can change its position on its link.

@@ -159,7 +159,7 @@ pub fn joined(between: &'static str, parts: impl IntoIterator<Item = Text>) -> T
     Text(Content::Joined { between, parts: parts.into_iter().collect() })
 }
 
-/// What says of itself what it is: a fault, a remark, a name.
+/// A type that describes itself in words for users: an error, a remark, a name.
 pub trait Describe {
     /// The text that a person reads.
     fn describe(&self) -> Text;

@@ -1,7 +1,7 @@
 //! The families of columns: what the results of a position or of a sample of a motion consist of.
 //!
 //! A family emits its columns, each with how its numbers are found in eight solved positions. What becomes of them is up to the
-//! [`Sink`]: a schema takes the columns, a table the numbers, a statistic those of a few columns. A further quantity in the
+//! [`Sink`]: a schema takes the columns, a table the numbers. A further quantity in the
 //! results is a further family in [`Of::emit`]; the writers need a name for it.
 
 mod friction;

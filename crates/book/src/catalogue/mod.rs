@@ -36,7 +36,7 @@ struct Entry {
 
 /// Its sign says in which sense it acts.
 const SENSE: bool = true;
-/// Its sign says where it is, or it can't be negative.
+/// A place with a sign, or a value that can't be negative: its greatest value is its maximum, not its greatest magnitude.
 const PLAIN: bool = false;
 
 /// Makes the function that finds the row of a quantity and its kind of owner: name, symbol, measure, keys in the JSON, name in CSV.

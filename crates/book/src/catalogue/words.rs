@@ -68,7 +68,7 @@ pub fn subject(schema: &Schema, column: Column) -> Text {
     spaced([owner(schema, column), kind, name(symbol(column))])
 }
 
-/// What a column is in words, for behind its [`subject`]: `velocity`, `PF1`; empty where that says it.
+/// The quantity of a column in words, to be written after its [`subject`]: `velocity`, `PF1`; empty where the subject contains it.
 pub fn further(column: Column) -> Text {
     if needs_its_kind(column) { Text::default() } else { kind(column) }
 }

@@ -19,7 +19,7 @@ const MOST_LINES: usize = 16 * MOST_ROWS;
 const FIGURE: u16 = 24;
 /// A fact whose value is longer has lines of its own, since columns don't break.
 const LONG: usize = 30;
-/// Columns of the facts of the first section: what is asked for first is read on a terminal.
+/// The facts of the first section wrap at this column, so that they fit a terminal of 80.
 const SCREEN: usize = 78;
 /// Facts on a narrower page are no table.
 const NARROW: usize = 60;

@@ -16,7 +16,7 @@ pub fn facts(analysis: &Analysis) -> Vec<Fact> {
     let ([rate, _], place, moment) = (Unit::rates(angular), Unit::place(angular), Unit::load(angular));
     let (figures, regime) = (&found.figures, &found.regime.found);
     let some = |id, value: Option<f64>, unit: Unit| value.map(|value| Fact::number(id, value, unit));
-    // What is positive where the drive drives has another name, and the other sign, where the loads drive.
+    // Where the loads drive, these facts are named for braking and have the other sign.
     let loads_drive = found.loads_drive();
     let one_of = |[usual, other]: [&'static str; 2], value: Option<f64>, unit| {
         if loads_drive { some(other, value.map(|value| -value), unit) } else { some(usual, value, unit) }

@@ -9,7 +9,7 @@ use assur_words::{number, text};
 use super::whatif;
 use crate::screen::state::{Assembled, Role, Scene, State, round};
 
-/// A mode that is farther than this from the nearest one of the changed mechanism has vanished, rad or parts of the scale.
+/// Greatest distance at which a mode is still identified with the nearest one of the changed mechanism, rad or parts of the scale.
 const VANISHED: f64 = 0.5;
 
 /// Shows the next (1) or previous (-1) mode of the chosen group, in the first position.
