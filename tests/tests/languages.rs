@@ -63,7 +63,12 @@ fn every_linked_text_is_read() {
         let heads =
             resource.texts.lines().filter(|line| line.starts_with(|letter: char| letter.is_alphabetic()));
         for id in heads.filter_map(|line| line.split_once(" =")).map(|(id, _)| id) {
-            assert!(language.own(id).is_some(), "{} of {} has a fault: `{id}`", resource.language, resource.crate_name);
+            assert!(
+                language.own(id).is_some(),
+                "{} of {} has a fault: `{id}`",
+                resource.language,
+                resource.crate_name
+            );
             count += 1;
         }
     }

@@ -178,9 +178,8 @@ fn compare(six_bar: &Subject, andrews: &Subject) {
         let pins =
             [("O", "crank", found.on_crank), ("A", "stone", found.on_stone), ("B", "ram", found.on_ram)];
         for (point, on, wanted) in pins.into_iter().chain([("C", "rocker", found.on_rocker)]) {
-            let joint = joints
-                .iter()
-                .position(|joint| six_bar.linkage.mechanism.pair_name(joint.id) == point);
+            let joint =
+                joints.iter().position(|joint| six_bar.linkage.mechanism.pair_name(joint.id) == point);
             let force = force(joint.expect("a pin"), on);
             near(force[0], wanted[0], 1e4);
             near(force[1], wanted[1], 1e4);

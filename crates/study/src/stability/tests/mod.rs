@@ -38,7 +38,8 @@ struct Law {
 }
 
 /// Walks of a mechanism along its coordinate.
-static CYCLE: Law = Law { section: "Along the cycle", along: "stability-along", expected: "stability-expected" };
+static CYCLE: Law =
+    Law { section: "Along the cycle", along: "stability-along", expected: "stability-expected" };
 
 /// Rows with their law.
 struct Section {
