@@ -54,7 +54,6 @@ impl<'a> Blocks<'a> {
         Filler::new(self.calculation, &self.columns, self.calculation.positions_have_forces())
     }
 
-    /// Calculates a block.
     fn block(&self, filler: &mut Filler<'_>, number: usize) -> Block {
         let end = ((number + 1) * self.rows).min(self.positions());
         let (mut table, mut failures, mut at_change_points) = (filler.table(), Vec::new(), Vec::new());

@@ -13,9 +13,8 @@ use assur_mechanism::{GROUND, LinkId, Mechanism};
 use assur_number::quadrature::simpson;
 
 use crate::acting::{Acting, SUMS, Works, add, change, over, over_time, shares};
-use crate::motion::CYCLE_INTERVALS;
 use crate::results::{Column, Owner, Quantity, Schema, Table};
-use crate::{Calculation, InputMotion};
+use crate::{Calculation, InputMotion, motion::CYCLE_INTERVALS};
 
 /// Fewest intervals of the quadrature over a transient motion, without and with dry friction, which jumps where a pair turns and
 /// bends where another face is pressed.

@@ -18,7 +18,6 @@ use crate::{Calculation, Progress, several::Several};
 /// Most failures that are kept in full.
 pub const MOST_FAILURES: usize = 1000;
 
-/// The positions of a scene.
 struct Positions {
     kept: Table,
     starts: Starts,

@@ -10,7 +10,6 @@ use crate::filler::{Filler, Obstacle, instant};
 use crate::progress::{Stopped, Watch, step};
 use crate::{Calculation, InputMotion, Progress, angles::Angles, motion::CYCLE_INTERVALS, results::Table};
 
-/// The samples of a motion.
 pub(crate) struct Samples {
     pub(crate) table: Table,
     pub(crate) without: WithoutForces,

@@ -134,9 +134,8 @@ fn joint_name(linkage: &Linkage, joint: PairId) -> Text {
     let mechanism = &linkage.mechanism;
     match joint {
         PairId::Pin(point) => {
-            let places = &mechanism.points[point].places;
-            let ground = places.iter().any(|place| place.link == GROUND);
-            let pin = &mechanism.points[point].name;
+            let point = &mechanism.points[point];
+            let (pin, ground) = (&point.name, point.on(GROUND).is_some());
             if ground { text!("check-pin-on-ground", pin) } else { text!("check-pin", pin) }
         }
         PairId::Slide(slide) => {

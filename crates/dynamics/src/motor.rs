@@ -13,12 +13,10 @@ use serde::Serialize;
 
 use crate::{DynamicsError, Regime};
 
-/// The motor that drives.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct DriveMotor {
     /// The row of its catalogue; owned where the scene gives the rated data.
     motor: Cow<'static, Motor>,
-    /// The mechanical characteristic.
     pub(crate) characteristic: Characteristic,
     /// Other suitable motors, with the ratio that each would need, the best first; only if the motor was chosen.
     pub(crate) runners_up: Vec<Candidate<'static>>,

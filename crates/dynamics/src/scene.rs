@@ -39,8 +39,7 @@ pub(crate) fn steady_motion(
     let (request, unevenness) = cycle_request(mechanism)?;
     let mut motion = Watched::new(motion, watcher);
     let mut solver = RegimeSolver::new(&mut motion, request)?;
-    let given = if let Some(Solve::Given(value)) = unevenness { Some(value) } else { None };
-    let (drive, motor) = drive_request(mechanism, &solver, given)?;
+    let (drive, motor) = drive_request(mechanism, &solver, unevenness.and_then(Solve::value))?;
     let efficiency = mechanism.drive.as_ref().map_or(1.0, |drive| drive.efficiency);
     let works = |drive: &DriveRequest, motor: Option<DriveMotor>| {
         let regime = match &motor {
@@ -152,7 +151,6 @@ fn drive_request(
     let torque = TorqueRequest::None;
     let free = DriveRequest { torque, flywheel: Some(0.0), flywheel_on_motor: false, unevenness };
     let Some(drive) = &mechanism.drive else { return Ok((free, None)) };
-    let given = |solve: Solve| if let Solve::Given(value) = solve { Some(value) } else { None };
     let motor = DriveMotor::of(&drive.torque, || {
         let power = solver.required_power(drive.efficiency);
         if power > 0.0 {
@@ -167,12 +165,12 @@ fn drive_request(
         (Torque::Motor { .. }, Some(motor)) => TorqueRequest::Motor {
             characteristic: motor.characteristic,
             rotor: motor.rotor(),
-            ratio: given(drive.ratio),
+            ratio: drive.ratio.value(),
             efficiency: drive.efficiency,
         },
         (Torque::None | Torque::Motor { .. }, _) => TorqueRequest::None,
     };
-    let flywheel = drive.flywheel.map_or(Some(0.0), given);
+    let flywheel = drive.flywheel.map_or(Some(0.0), Solve::value);
     let flywheel_on_motor = drive.flywheel_on == FlywheelPlace::Motor && motor.is_some();
     Ok((DriveRequest { torque, flywheel, flywheel_on_motor, unevenness }, motor))
 }

@@ -202,10 +202,7 @@ fn input_drive(mechanism: &Mechanism) -> Result<InputDrive, DynamicsError> {
     let Some(drive) = &mechanism.drive else { return Ok(InputDrive::NONE) };
     let sense = mechanism.input.sign();
     let steady_only = |what| DynamicsError::SteadyOnly(what);
-    let given = |solve: Solve, what| match solve {
-        Solve::Given(value) => Ok(value),
-        Solve::Wanted => Err(steady_only(what)),
-    };
+    let given = |solve: Solve, what| solve.value().ok_or_else(|| steady_only(what));
     let flywheel = given(drive.flywheel.unwrap_or(Solve::Given(0.0)), "`flywheel = \"solve\"`")?;
     let motor = motor(drive)?;
     let rotor = motor.as_ref().map_or(0.0, DriveMotor::rotor);

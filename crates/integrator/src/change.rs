@@ -3,8 +3,7 @@
 use assur_number::panel::Bernstein;
 use assur_number::search::bisect;
 
-use crate::dense::COEFFICIENTS;
-use crate::{CountedEquation, Dense, Piece, State, Stretch};
+use crate::{CountedEquation, Dense, Piece, State, Stretch, dense::COEFFICIENTS};
 
 /// Parts of a step that are looked at. Where more are needed, the states at the ends of the parts tell.
 const MOST_PARTS: usize = 500;
@@ -50,7 +49,6 @@ pub(crate) fn first_change_in(equation: &CountedEquation<'_>, dense: &Dense) -> 
     first_change(StepPart::whole(dense), |theta| dense.at(theta), |stretch| equation.holds(stretch))
 }
 
-/// A part of a step.
 #[derive(Clone, Copy)]
 struct StepPart<'a> {
     dense: &'a Dense,

@@ -25,6 +25,11 @@ pub enum Solve {
 }
 
 impl Solve {
+    /// The number, if it is given.
+    pub fn value(self) -> Option<f64> {
+        if let Self::Given(number) = self { Some(number) } else { None }
+    }
+
     /// The number, given from now on.
     pub fn given(&mut self) -> Option<&mut f64> {
         if let Self::Wanted = self {

@@ -114,6 +114,11 @@ pub struct Point {
 }
 
 impl Point {
+    /// Its place on a link, m; `None` where it does not belong to the link.
+    pub fn on(&self, link: LinkId) -> Option<[f64; 2]> {
+        self.places.iter().find(|place| place.link == link).map(|place| place.at)
+    }
+
     /// Whether the point is a revolute pair: it belongs to two links or more.
     pub fn is_pin(&self) -> bool {
         self.places.len() > 1
@@ -336,7 +341,7 @@ impl Mechanism {
 
     /// Coordinates of a named point in the frame of a link, m.
     pub fn place_in(&self, point: PointId, link: LinkId) -> Option<[f64; 2]> {
-        self.points[point].places.iter().find(|place| place.link == link).map(|place| place.at)
+        self.points[point].on(link)
     }
 
     /// Whether the part of a link in the reduced moment of inertia is the same at every coordinate, by structure: the

@@ -10,7 +10,6 @@ use crate::{linkage::SceneLinks, reference, wishes};
 /// The shortest length of contact, m: below it the moment of the guide is a couple of forces whose digits are lost.
 const LEAST_CONTACT: f64 = 1e-6;
 
-/// Reads all `[[friction]]`.
 pub(crate) fn read(root: &Section<'_>, linkage: &SceneLinks, motion: Option<&Motion>) -> Vec<Friction> {
     if let (Some(Motion::Transient { .. } | Motion::Steady { .. }), Some(balance), Some(_)) =
         (motion, root.get("balance"), root.get("friction"))

@@ -36,11 +36,7 @@ fn formula(linkage: &SceneLinks, id: LinkId, link: &Section<'_>) -> Option<Inert
         let span = within_text(&entry, formula.text(), &switch.span);
         entry.faults.add(span, message, text!("scene-inertia-smooth"));
     }
-    let pinned = linkage.points.iter().any(|point| {
-        let stands = |link| point.places.iter().any(|place| place.link == link);
-        stands(GROUND) && stands(id)
-    });
-    if !pinned {
+    if !linkage.points.iter().any(|point| point.on(GROUND).and(point.on(id)).is_some()) {
         let message = text!("scene-inertia-not-pinned", link = shown(&linkage.links[id].name));
         entry.fault(message, text!("scene-inertia-of-a-number"));
     }

@@ -44,9 +44,8 @@ pub(crate) fn read(root: &Section<'_>, linkage: &SceneLinks) -> Option<Input> {
 
 /// The single pair between the link and the ground.
 fn pair(linkage: &SceneLinks, link: LinkId, entry: &Entry<'_>) -> Option<InputPair> {
-    let stands = |id: usize, link| linkage.points[id].places.iter().any(|place| place.link == link);
-    let pins =
-        (0..linkage.points.len()).filter(|&id| stands(id, GROUND) && stands(id, link)).map(InputPair::Pin);
+    let joins = |id: &usize| linkage.points[*id].on(GROUND).and(linkage.points[*id].on(link)).is_some();
+    let pins = (0..linkage.points.len()).filter(joins).map(InputPair::Pin);
     let slides = linkage.on_ground(link).map(InputPair::Slide);
     let pairs: Vec<InputPair> = pins.chain(slides).collect();
     if let [pair] = pairs[..] {

@@ -1,6 +1,6 @@
 //! `[[spring]]` and `[[contact]]`: loads between two links.
 
-use assur_mechanism::{Contact, LinkId, LoadId, LoadKind, Place, PointId, Spring, Value};
+use assur_mechanism::{Contact, LoadId, LoadKind, Place, PointId, Spring, Value};
 
 use assur_words::{name, text};
 
@@ -8,7 +8,6 @@ use crate::text::{row, shown};
 use crate::walk::{Entry, Section, quoted};
 use crate::{context::Context, linkage::pair, units::Dimension, value};
 
-/// Reads a `[[spring]]`.
 pub(crate) fn spring(section: &Section<'_>, context: &Context<'_>, id: LoadId) -> Option<LoadKind> {
     let (stiffness, length) = (section.number("stiffness"), section.number("length"));
     let damping = section.number("damping").unwrap_or_default();
@@ -24,7 +23,8 @@ fn ends(entry: &Entry<'_>, context: &Context<'_>, id: LoadId) -> Option<[Place; 
     let (first, second) = (end(&a, context), end(&b, context));
     let ((p, first), (q, second)) = (first?, second?);
     let linkage = context.linkage;
-    let both = (0..linkage.links.len()).find(|&link| stands(context, p, link) && stands(context, q, link));
+    let [one, other] = [p, q].map(|point| &linkage.points[point]);
+    let both = (0..linkage.links.len()).find(|&link| one.on(link).and(other.on(link)).is_some());
     if let Some(link) = both {
         let message = text!("scene-both-ends-on-link", link = shown(&linkage.links[link].name));
         entry.fault(message, text!("scene-such-a-spring"));
@@ -36,10 +36,6 @@ fn ends(entry: &Entry<'_>, context: &Context<'_>, id: LoadId) -> Option<[Place; 
         });
     }
     Some([first, second])
-}
-
-fn stands(context: &Context<'_>, point: PointId, link: LinkId) -> bool {
-    context.linkage.points[point].places.iter().any(|place| place.link == link)
 }
 
 /// A point, alone or as "link.point". Any link of a pin may be taken, since a pin is at one place in all its links.
@@ -65,7 +61,6 @@ fn end(entry: &Entry<'_>, context: &Context<'_>) -> Option<(PointId, Place)> {
     place.map(|place| (id, *place))
 }
 
-/// Reads a `[[contact]]`.
 pub(crate) fn contact(section: &Section<'_>, context: &Context<'_>, id: LoadId) -> Option<LoadKind> {
     let linkage = context.linkage;
     let radius = section.number("radius");

@@ -25,7 +25,6 @@ pub(crate) struct SceneLinks {
     /// Points by name.
     names: HashMap<String, PointId>,
     links_by_name: HashMap<String, LinkId>,
-    /// Names of the slides.
     pub(crate) slide_names: HashSet<String>,
     /// Where in the file a point has its place on a link.
     written: HashMap<(PointId, LinkId), Range<usize>>,
@@ -122,7 +121,7 @@ impl SceneLinks {
         at: impl Fn(&mut Mechanism) -> Option<&mut [f64; 2]> + Send + Sync + 'static,
     ) -> Option<[f64; 2]> {
         faults.tell(|told| told.place(self.written.get(&(point, link)).cloned(), at));
-        self.points[point].places.iter().find(|place| place.link == link).map(|place| place.at)
+        self.points[point].on(link)
     }
 
     /// What was found of a name; where there is nothing, that is noted with the nearest known name.
@@ -152,9 +151,7 @@ impl SceneLinks {
 
     /// Names and coordinates of the points of a link.
     fn points_of(&self, link: LinkId) -> impl Iterator<Item = (&str, [f64; 2])> + Clone {
-        let place =
-            move |point: &Point| point.places.iter().find(|place| place.link == link).map(|place| place.at);
-        self.points.iter().filter_map(move |point| Some((point.name.as_str(), place(point)?)))
+        self.points.iter().filter_map(move |point| Some((point.name.as_str(), point.on(link)?)))
     }
 
     /// A place fixed in a link: one of its points, coordinates, or a number on its x axis; `at`: where it stands in the mechanism.

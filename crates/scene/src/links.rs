@@ -41,7 +41,7 @@ pub(crate) fn read(root: &Section<'_>) -> (SceneLinks, Vec<Option<PointId>>) {
 pub(crate) fn refuse_points(root: &Section<'_>, linkage: &SceneLinks) {
     for id in links_of_length_zero(linkage.links.len(), &linkage.points, &linkage.slides) {
         let link = &linkage.links[id].name;
-        let on_link = |point: &&Point| point.is_pin() && point.places.iter().any(|place| place.link == id);
+        let on_link = |point: &&Point| point.is_pin() && point.on(id).is_some();
         let pins = row(linkage.points.iter().filter(on_link).map(|pin| pin.name.as_str()));
         let message = text!("scene-no-length", link = shown(link), pins);
         if let Some(span) = place(root.table(), Key::of("link").at(link).steps()) {

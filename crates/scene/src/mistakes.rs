@@ -4,7 +4,7 @@ mod task;
 
 use std::collections::HashMap;
 
-use assur_mechanism::{GROUND, Key, LinkId, Mechanism, Place, Warning, appearance};
+use assur_mechanism::{GROUND, Key, LinkId, Mechanism, Warning, appearance};
 use assur_words::{name, quantity, text};
 
 use crate::text::{codes, rounded, shown};
@@ -74,7 +74,6 @@ fn names(mechanism: &Mechanism) -> Vec<Warning> {
     warnings
 }
 
-/// The key of a link.
 fn key(mechanism: &Mechanism, link: LinkId) -> Key {
     if link == GROUND { Key::of("ground") } else { Key::of("link").at(&mechanism.links[link].name) }
 }
@@ -117,8 +116,7 @@ fn length(mechanism: &Mechanism, link: LinkId, extents: &[f64]) -> Option<Warnin
 
 /// Whether a pin joins a link to the ground.
 fn is_pinned(mechanism: &Mechanism, link: LinkId) -> bool {
-    let is_on = |places: &[Place], link: LinkId| places.iter().any(|place| place.link == link);
-    mechanism.points.iter().any(|point| is_on(&point.places, GROUND) && is_on(&point.places, link))
+    mechanism.points.iter().any(|point| point.on(GROUND).and(point.on(link)).is_some())
 }
 
 /// A moment of inertia that belongs to a far greater body.

@@ -18,7 +18,6 @@ const MOST_STEPS: usize = 1_000_000_000;
 type Read = fn(&Section<'_>, &Context<'_>) -> Option<Motion>;
 const KINDS: [(&str, Read); 3] = [("prescribed", prescribed), ("transient", transient), ("steady", steady)];
 
-/// Reads the motion.
 pub(crate) fn read(root: &Section<'_>, context: &Context<'_>) -> Option<Motion> {
     let section = root.inner("motion")?;
     let (kind, read) = match section.get("kind") {

@@ -261,12 +261,10 @@ impl Calculation {
         self.loads.is_some() && self.plan.all
     }
 
-    /// Whether there is dry friction in pairs.
     fn has_friction(&self) -> bool {
         !self.linkage.mechanism.frictions.is_empty()
     }
 
-    /// Whether there is a force analysis.
     fn has_forces(&self) -> bool {
         self.loads.is_some() && self.analyzer.is_some()
     }

@@ -4,8 +4,8 @@ use std::f64::consts::TAU;
 
 use assur_formula::{Used, Variables};
 use assur_mechanism::{
-    InputPair, Key, Load, LoadKind, Mechanism, Motion, MotorChoice, Output, Over, Point, Range, Solve,
-    Surfaces, Torque, Value, Warning,
+    InputPair, Key, Load, LoadKind, Mechanism, Motion, MotorChoice, Output, Over, Range, Solve, Surfaces,
+    Torque, Value, Warning,
 };
 use assur_words::{Text, quantity, text};
 
@@ -124,12 +124,10 @@ fn of_input_and_drive(mechanism: &Mechanism, speed: &(Key, f64)) -> Vec<Warning>
 /// A pin of the crank that stands at the angle `from` in the crank's own frame too: places in the ground's frame were given.
 fn turned_by_frame_and_from(mechanism: &Mechanism) -> Option<(&str, f64)> {
     let (input, InputPair::Pin(pivot)) = (&mechanism.input, mechanism.input.pair) else { return None };
-    let place =
-        |point: &Point| point.places.iter().find(|place| place.link == input.link).map(|place| place.at);
-    let origin = place(&mechanism.points[pivot])?;
+    let origin = mechanism.points[pivot].on(input.link)?;
     let others = mechanism.points.iter().enumerate().filter(|(id, point)| *id != pivot && point.is_pin());
     others.map(|(_, point)| point).find_map(|point| {
-        let at = place(point)?;
+        let at = point.on(input.link)?;
         let angle = (at[1] - origin[1]).atan2(at[0] - origin[0]);
         let apart = (input.from - angle).rem_euclid(TAU);
         let is_same = apart.min(TAU - apart) < SAME_DIRECTION && angle.abs() > SAME_DIRECTION;
