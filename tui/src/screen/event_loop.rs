@@ -145,6 +145,7 @@ impl EventLoop {
         Ok(())
     }
 
+    /// Applies an event; returns whether the frame may differ.
     fn apply(&mut self, event: Event) -> bool {
         let state = &mut self.state;
         match event {
@@ -155,36 +156,24 @@ impl EventLoop {
                     "a panic on request (ASSUR_PANIC_ON_KEY)"
                 );
                 command::press(state, key);
-                true
             }
-            Event::Input(Input::Event(Own::Paste(text))) => {
-                command::paste(state, &text);
-                true
-            }
-            Event::Input(Input::Event(Own::Mouse(mouse))) => command::click(state, mouse),
-            Event::Resized => {
-                state.size = terminal::size().unwrap_or(state.size);
-                true
-            }
+            Event::Input(Input::Event(Own::Paste(text))) => command::paste(state, &text),
+            Event::Input(Input::Event(Own::Mouse(mouse))) => return command::click(state, mouse),
+            Event::Resized => state.size = terminal::size().unwrap_or(state.size),
             Event::Input(Input::Event(Own::FocusGained)) => {
-                std::mem::replace(&mut state.focused, true) != state.focused
+                return !std::mem::replace(&mut state.focused, true);
             }
             Event::Input(Input::Event(Own::FocusLost)) => {
                 state.focused = false;
-                false
+                return false;
             }
-            Event::Input(Input::Event(_)) => false,
-            Event::Input(Input::Answer(answer)) => take_answer(state, answer),
-            Event::Input(Input::End) => {
-                (state.leaving, self.ended) = (true, true);
-                true
-            }
-            Event::Work(report) => command::take(state, report),
-            Event::Effect(effect) => {
-                state.effects.push(effect);
-                true
-            }
+            Event::Input(Input::Event(_)) => return false,
+            Event::Input(Input::Answer(answer)) => return take_answer(state, answer),
+            Event::Input(Input::End) => (state.leaving, self.ended) = (true, true),
+            Event::Work(report) => return command::take(state, report),
+            Event::Effect(effect) => state.effects.push(effect),
         }
+        true
     }
 
     /// Performs the actions that a command requested because the state can't do them.

@@ -1,7 +1,7 @@
-//! Commands that choose what is shown of the scene, and how.
+//! Commands that choose what is shown of the scene, and how; long texts are scrolled.
 
 use assur_diagram::PlanSheet;
-use assur_picture::{Found, Plans, Results};
+use assur_picture::{Found, Plans, Results, find};
 use assur_words::{name, number, text};
 
 use super::{jobs, whatif};
@@ -9,6 +9,7 @@ use crate::screen::state::{
     FRAMES, PACES, Pictures, Purpose, Role, Source, State, View, ViewPart, Wanted, following, next_kind,
     round,
 };
+use crate::screen::view::{report, room};
 
 /// An eighth of the positions forward or back.
 pub(super) fn jump(state: &mut State, sense: isize) {
@@ -239,4 +240,44 @@ fn opened_in_view(state: &mut State) -> bool {
 /// Keeps the plan of this position beside that of the position that is shown, or removes it.
 pub(super) fn beside(state: &mut State) {
     state.held = if state.held.is_some() { None } else { Some(state.position) };
+}
+
+pub(super) fn measure(state: &mut State) {
+    if state.measuring().is_some() {
+        jobs::stop_measuring(state);
+    } else {
+        jobs::ask(state, Purpose::Measurement);
+    }
+}
+
+pub(super) fn scroll(state: &mut State, by: isize) {
+    let last = report::last_line(state);
+    let line = state.line();
+    *line = (*line).min(last).saturating_add_signed(by).min(last);
+}
+
+/// The next or previous quantity of the motion, or line of its page.
+pub(super) fn motion(state: &mut State, by: isize) {
+    if state.part(View::Motion) == ViewPart::Iteration {
+        scroll(state, by);
+    } else {
+        choose(state, View::Motion, by);
+    }
+}
+
+pub(super) fn page(state: &mut State, sense: isize) {
+    let page = isize::from(i16::try_from(report::page(state)).unwrap_or(i16::MAX));
+    scroll(state, sense * (page - 1).max(1));
+}
+
+/// Scrolls to the next line that begins with a text, as a heading does, or if none does, that contains it; `None` if there is none.
+pub(super) fn find_line(state: &mut State, wanted: &str) -> Option<()> {
+    let lines = report::lines(state, state.view, room(state).width);
+    let now = *state.line();
+    let line = |index: usize| lines[index].to_lowercase();
+    let begins = |index: usize| line(index).trim_start_matches(['=', ' ']).starts_with(wanted);
+    let is_heading = (0..lines.len()).any(begins);
+    let fits = |index| if is_heading { begins(index) } else { line(index).contains(wanted) };
+    *state.line() = find::next(now, lines.len(), fits)?;
+    Some(())
 }

@@ -4,7 +4,7 @@ use assur_fixtures::SCENES;
 use assur_picture::{Look, Picture, find};
 use assur_words::{self as words, Text, text};
 
-use super::{act, jobs, motors, picker, report, whatif, write};
+use super::{act, jobs, motors, picker, whatif, write};
 use crate::screen::state::{
     Chosen, Group, Panels, Pictures, Role, SETTINGS, Scene, Source, State, View, Wanted,
 };
@@ -231,7 +231,7 @@ pub(super) fn search(state: &mut State, text: &str) {
     }
     let wanted = text.to_lowercase();
     let found = match if state.values_open() { View::Values } else { state.view } {
-        View::Working | View::Accuracy => report::find(state, &wanted),
+        View::Working | View::Accuracy => act::find_line(state, &wanted),
         view @ (View::Values | View::Results | View::Checks) => row(state, view, text),
         _ => pictured(state, text),
     };

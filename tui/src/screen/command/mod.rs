@@ -8,7 +8,6 @@ mod modes;
 mod motors;
 mod picker;
 mod probe;
-mod report;
 mod table;
 mod whatif;
 mod write;

@@ -1,6 +1,6 @@
 //! The table of commands, used for dispatch, hints, help screen, `:` line and configuration.
 
-use super::{act, jump, line, modes, picker, probe, report, whatif, write};
+use super::{act, jump, line, modes, picker, probe, whatif, write};
 use crate::screen::state::{Command, Effect, Group, Help, PromptKind, State, View, Zoom, next_kind};
 
 use Group::{Change, Choose, Look, Move, Program, Views};
@@ -74,21 +74,21 @@ pub(crate) const COMMANDS: &[Command] = &[
     command("do-next-step", Choose, "Down j", &[Plans], |s| act::choose(s, Plans, 1)),
     command("do-previous-step", Choose, "Up k", &[Plans], |s| act::choose(s, Plans, -1)),
     command("do-beside", Choose, "s", &[Plans], act::beside),
-    command("do-next-motion", Choose, "Down j", &[Motion], |s| report::motion(s, 1)),
-    command("do-previous-motion", Choose, "Up k", &[Motion], |s| report::motion(s, -1)),
+    command("do-next-motion", Choose, "Down j", &[Motion], |s| act::motion(s, 1)),
+    command("do-previous-motion", Choose, "Up k", &[Motion], |s| act::motion(s, -1)),
     command("do-next-check", Choose, "Down j", &[Checks], |s| act::choose(s, Checks, 1)),
     command("do-previous-check", Choose, "Up k", &[Checks], |s| act::choose(s, Checks, -1)),
     command("do-next-result", Choose, "Down j", &[Results], |s| act::choose(s, Results, 1)),
     command("do-previous-result", Choose, "Up k", &[Results], |s| act::choose(s, Results, -1)),
     command("do-result", Choose, "Enter", &[Results], jump::result),
     command("do-worst", Choose, "Enter", &[Checks], act::worst),
-    command("do-measure", Choose, "b Enter", &[Accuracy], report::measure),
-    command("do-next-line", Choose, "Down j", LINES, |s| report::scroll(s, 1)),
-    command("do-previous-line", Choose, "Up k", LINES, |s| report::scroll(s, -1)),
-    command("do-next-page", Choose, "PgDn", TEXTS, |s| report::page(s, 1)),
-    command("do-previous-page", Choose, "PgUp", TEXTS, |s| report::page(s, -1)),
+    command("do-measure", Choose, "b Enter", &[Accuracy], act::measure),
+    command("do-next-line", Choose, "Down j", LINES, |s| act::scroll(s, 1)),
+    command("do-previous-line", Choose, "Up k", LINES, |s| act::scroll(s, -1)),
+    command("do-next-page", Choose, "PgDn", TEXTS, |s| act::page(s, 1)),
+    command("do-previous-page", Choose, "PgUp", TEXTS, |s| act::page(s, -1)),
     command("do-first-line", Choose, "Home", TEXTS, |s| *s.line() = 0),
-    command("do-last-line", Choose, "End", TEXTS, |s| report::scroll(s, isize::MAX)),
+    command("do-last-line", Choose, "End", TEXTS, |s| act::scroll(s, isize::MAX)),
     command("do-next-column", Choose, "Tab >", &[Table], |s| act::choose(s, Table, 1)),
     command("do-previous-column", Choose, "S-Tab <", &[Table], |s| act::choose(s, Table, -1)),
     command("do-sort", Choose, "s", &[Table], act::sort),

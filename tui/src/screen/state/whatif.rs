@@ -109,10 +109,6 @@ impl WhatIf {
         self.wanted.len()
     }
 
-    pub(crate) fn refused(&self) -> bool {
-        self.reading == Reading::Refused
-    }
-
     pub(crate) fn is_changed(&self, index: usize) -> bool {
         self.wanted.contains_key(&index)
     }

@@ -1,7 +1,7 @@
 //! Lists of which one row is chosen: the results that are asked for first; the checks as the report tells them, with the residuals
 //! over the positions.
 
-use assur_book::{Cell, Column, Table};
+use assur_book::Table;
 use assur_picture::curves::residuals;
 use assur_report::topic;
 use assur_words::{Text, text};
@@ -36,12 +36,12 @@ pub(super) fn draw(pen: &mut Pen<'_>, scene: &Scene, area: Rect) {
 /// Draws the results that are asked for first, of which one is chosen.
 pub(super) fn draw_results(pen: &mut Pen<'_>, scene: &Scene, area: Rect) {
     let Some(found) = &scene.found else { return };
-    let heads = [text!("fact-quantity"), text!("fact-value"), text!("fact-place")].map(Column::of);
-    let facts = found.results.iter().map(|(_, fact)| fact);
-    let rows = facts.map(|fact| [fact.what(), fact.with_unit(), fact.place()].map(Cell::Text));
-    let table = Table::list(Text::default(), heads).rows(rows);
+    let table = Table::each(Text::default(), &found.results)
+        .column(text!("fact-quantity"), |(_, fact)| fact.what())
+        .column(text!("fact-value"), |(_, fact)| fact.with_unit())
+        .column(text!("fact-place"), |(_, fact)| fact.place());
     let lines = page::told(pen.state, area.width.saturating_sub(2), |page| {
-        page.table(table);
+        page.table(table.table());
         page.paragraph(text!("report-between"));
     });
     page::draw_chosen(pen, &lines, (pen.state.chosen.result, 1), &|_| Role::Plain, area);

@@ -1,7 +1,7 @@
 //! The curves of the chosen quantity, or of those that were picked with their extremes and means.
 
 use assur_analysis::results::{Means, Turn};
-use assur_book::{Cell, Column, Table, row};
+use assur_book::{Cell, Range, Table};
 use assur_picture::curves::{figure, picked};
 use assur_picture::plots;
 use assur_report::text::Line;
@@ -47,48 +47,40 @@ pub(crate) fn position_at(state: &State, area: Rect, [column, row]: [u16; 2]) ->
     (0..scene.positions()).min_by(|one, other| distance(one).total_cmp(&distance(other)))
 }
 
-/// The heads of the table of extremes and means, behind the name and the unit.
-const HEADS: [&str; 6] = ["curve-greatest", "curve-at", "curve-least", "curve-at", "curve-mean", "curve-rms"];
-
 /// Digits of the coordinate of an extreme.
 const PLACE: usize = 5;
 
 /// Extremes with their coordinates, and means: between the positions too, as the first results have them.
 fn extremes(state: &State, scene: &Scene, width: u16) -> Vec<Line> {
     let (symbol, factor) = coordinate_unit(&scene.linkage);
-    let place = |at: f64| words::number(trimmed(factor * at, PLACE));
-    let heads = HEADS.map(|head| match head {
-        "curve-at" => text!(head, unit = unit(symbol)),
-        _ => text!(head),
-    });
-    let heads = std::iter::repeat_with(Text::default).take(2).chain(heads);
-    let row = |(number, series): (usize, Series)| {
-        let shown = |value: f64| {
-            let value = series.factor * value;
-            if value.abs() <= series.least() { 0.0 } else { value }
-        };
-        let range = scene.found.as_ref().and_then(|found| found.range(&series));
-        let (greatest, least) = (range.map(|all| all.greatest), range.map(|all| all.least));
-        let means = range.and_then(|all| all.means).filter(Means::are_sure);
-        let value = |extreme: Option<Turn>| match extreme {
-            Some(extreme) if extreme.value.is_infinite() => Cell::from(text!("curve-unlimited")),
-            extreme => Cell::from(extreme.map(|extreme| shown(extreme.value))),
-        };
-        let at = |extreme: Option<Turn>| extreme.map(|extreme| place(extreme.at));
-        row![
-            plots::numbered(number, series.of.clone()),
-            unit(series.unit.clone()),
-            value(greatest),
-            at(greatest),
-            value(least),
-            at(least),
-            means.map(|means| shown(means.mean)),
-            means.map(|means| shown(means.rms)),
-        ]
+    let shown = |series: &Series, value: f64| {
+        let value = series.factor * value;
+        if value.abs() <= series.least() { 0.0 } else { value }
     };
-    let rows = picked(scene, &state.pictured()).into_iter().enumerate().map(row);
-    let table = Table::list(Text::default(), heads.map(Column::of)).rows(rows);
-    page::told(state, width.saturating_sub(2), |page| page.table(table))
+    let range = |series: &Series| scene.found.as_ref().and_then(|found| found.range(series));
+    let value = |series: &Series, of: fn(Range) -> Turn| match range(series).map(of) {
+        Some(extreme) if extreme.value.is_infinite() => Cell::from(text!("curve-unlimited")),
+        extreme => Cell::from(extreme.map(|extreme| shown(series, extreme.value))),
+    };
+    let at = |series: &Series, of: fn(Range) -> Turn| {
+        range(series).map(|range| words::number(trimmed(factor * of(range).at, PLACE)))
+    };
+    let mean = |series: &Series, of: fn(Means) -> f64| {
+        let means = range(series).and_then(|range| range.means).filter(Means::are_sure);
+        means.map(|means| shown(series, of(means)))
+    };
+    let place = || text!("curve-at", unit = unit(symbol));
+    let all = picked(scene, &state.pictured()).into_iter().enumerate();
+    let table = Table::each(Text::default(), all)
+        .column(Text::default(), |(number, series)| plots::numbered(*number, series.of.clone()))
+        .column(Text::default(), |(_, series)| unit(series.unit.clone()))
+        .column(text!("curve-greatest"), |(_, series)| value(series, |range| range.greatest))
+        .column(place(), |(_, series)| at(series, |range| range.greatest))
+        .column(text!("curve-least"), |(_, series)| value(series, |range| range.least))
+        .column(place(), |(_, series)| at(series, |range| range.least))
+        .column(text!("curve-mean"), |(_, series)| mean(series, |means| means.mean))
+        .column(text!("curve-rms"), |(_, series)| mean(series, |means| means.rms));
+    page::told(state, width.saturating_sub(2), |page| page.table(table.table()))
 }
 
 fn parts_of_picked(state: &State, scene: &Scene, area: Rect) -> [Rect; 2] {

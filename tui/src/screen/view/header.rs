@@ -7,7 +7,7 @@ use unicode_width::UnicodeWidthStr;
 use super::values;
 use crate::number::digits;
 use crate::screen::draw::{Pen, short};
-use crate::screen::state::{Role, Scene, State, View, coordinate_unit};
+use crate::screen::state::{Reading, Role, Scene, State, View, coordinate_unit};
 
 /// Columns that the key of a changed value can spare.
 const KEY_ROOM: usize = 20;
@@ -23,7 +23,7 @@ pub(super) fn draw(pen: &mut Pen<'_>, area: Rect) {
     let column = short(position.width() + 4);
     let room = usize::from(area.width.saturating_sub(column));
     let (role, text) = match changed(state, room) {
-        Some(text) if state.what_if.refused() => (Role::Bad, text),
+        Some(text) if state.what_if.reading == Reading::Refused => (Role::Bad, text),
         Some(text) => (Role::Header, text),
         None => (Role::Plain, state.told(title(state, scene))),
     };
@@ -47,8 +47,11 @@ fn changed(state: &State, room: usize) -> Option<String> {
         0 => String::new(),
         others => " ".to_owned() + &state.told(text!("header-more-changes", others = number(others))),
     };
-    let refused =
-        if what.refused() { " ".to_owned() + &state.told(text!("header-not-taken")) } else { String::new() };
+    let refused = if what.reading == Reading::Refused {
+        " ".to_owned() + &state.told(text!("header-not-taken"))
+    } else {
+        String::new()
+    };
     // A table of values, such as a motor's, has no room beside its key.
     let shown = Some(format!(" {}", what.shown(last))).filter(|shown| 2 * shown.width() <= room + KEY_ROOM);
     let value = format!("{}{more}{refused}", shown.unwrap_or_default());
