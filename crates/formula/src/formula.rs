@@ -43,13 +43,9 @@ impl Formula {
     /// assert_eq!(Formula::read("2*speed").unwrap_err().span, 2..7);
     /// ```
     pub fn read(text: &str) -> Result<Self, FormulaError> {
-        let parse::Program { operations, switches } = parse::read(text)?;
-        let used = used(&operations);
-        let switches = switches
-            .into_iter()
-            .map(|switch| Switch { used: self::used(&operations[switch.operations.clone()]), ..switch });
-        let switches = switches.collect();
-        Ok(Self { text: text.into(), operations: operations.into(), switches, used })
+        let (operations, switches) = parse::read(text)?;
+        let used = Used::of(&operations);
+        Ok(Self { text: text.into(), operations: operations.into(), switches: switches.into(), used })
     }
 
     /// The formula with the opposite speed in the place of `w`.
@@ -269,13 +265,6 @@ fn second_argument(operations: &[Operation], range: Range<usize>) -> usize {
         }
     }
     range.start
-}
-
-fn used(operations: &[Operation]) -> Used {
-    let all = [Variable::Coordinate, Variable::Speed, Variable::Time, Variable::Place];
-    let [coordinate, speed, time, place] =
-        all.map(|variable| operations.contains(&Operation::Variable(variable)));
-    Used { coordinate, speed, time, place }
 }
 
 /// The result of operations that leave one number on the stack. `switch` gives the value of a function with a switch from

@@ -137,6 +137,13 @@ pub struct Used {
 }
 
 impl Used {
+    pub(crate) fn of(operations: &[Operation]) -> Self {
+        let all = [Variable::Coordinate, Variable::Speed, Variable::Time, Variable::Place];
+        let [coordinate, speed, time, place] =
+            all.map(|variable| operations.contains(&Operation::Variable(variable)));
+        Self { coordinate, speed, time, place }
+    }
+
     /// How many of them.
     pub(crate) fn count(self) -> usize {
         [self.coordinate, self.speed, self.time, self.place].into_iter().filter(|used| *used).count()
