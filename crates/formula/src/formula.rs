@@ -6,9 +6,9 @@ use assur_number::Dd;
 
 use crate::number::{Number, Sign};
 use crate::parse::{self, FormulaError};
-use crate::program::{DEPTH, Kind, Operation, Switch, Used, Variable, Variables};
+use crate::program::{Branches, DEPTH, Kind, Operation, Switch, Used, Variable, Variables};
+use crate::rounded::Rounded;
 use crate::slope::{Dual, Signed};
-use crate::{branches::Branches, rounded::Rounded};
 
 /// How far ahead of a place the side of a switch is looked for, in the least distance that counts. Further ones are
 /// needed where the argument only touches zero at the place: `cos(q) - 1` is zero up to its rounding over 1e-8.
