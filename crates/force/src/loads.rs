@@ -139,10 +139,7 @@ pub(crate) struct ArcContact {
 
 impl Applied {
     pub(crate) fn laws(&self) -> impl Iterator<Item = &Law> {
-        let angle = match &self.action {
-            Action::Contact(contact) => Some(&contact.angle),
-            Action::Force(_) | Action::Moment(_) | Action::Brake(_) | Action::Spring(_) => None,
-        };
+        let angle = if let Action::Contact(contact) = &self.action { Some(&contact.angle) } else { None };
         [&self.size].into_iter().chain(angle)
     }
 

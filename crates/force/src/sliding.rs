@@ -63,11 +63,9 @@ impl Sliding {
                 // It falls towards zero and grows again: it may turn twice.
                 let Some(least) = root([low, high], rate, |rate| rate.slope) else { continue };
                 if rate(least).is_ok_and(|rate| rate.first * before < 0.0) {
-                    turns.extend(
-                        [[low, least], [least, high]]
-                            .into_iter()
-                            .filter_map(|ends| root(ends, rate, |rate| rate.first)),
-                    );
+                    for ends in [[low, least], [least, high]] {
+                        turns.extend(root(ends, rate, |rate| rate.first));
+                    }
                 }
             } else if after == 0.0 {
                 turns.push(high);

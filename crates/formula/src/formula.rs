@@ -6,9 +6,9 @@ use assur_number::Dd;
 
 use crate::number::{Number, Sign};
 use crate::parse::{self, FormulaError};
-use crate::program::{DEPTH, Kind, Operation, Switch, Used, Variable, Variables};
+use crate::program::{Branches, DEPTH, Kind, Operation, Switch, Used, Variable, Variables};
+use crate::rounded::Rounded;
 use crate::slope::{Dual, Signed};
-use crate::{branches::Branches, rounded::Rounded};
 
 /// How far ahead of a place the side of a switch is looked for, in the least distance that counts. Further ones are
 /// needed where the argument only touches zero at the place: `cos(q) - 1` is zero up to its rounding over 1e-8.
@@ -43,13 +43,9 @@ impl Formula {
     /// assert_eq!(Formula::read("2*speed").unwrap_err().span, 2..7);
     /// ```
     pub fn read(text: &str) -> Result<Self, FormulaError> {
-        let parse::Program { operations, switches } = parse::read(text)?;
-        let used = used(&operations);
-        let switches = switches
-            .into_iter()
-            .map(|switch| Switch { used: self::used(&operations[switch.operations.clone()]), ..switch });
-        let switches = switches.collect();
-        Ok(Self { text: text.into(), operations: operations.into(), switches, used })
+        let (operations, switches) = parse::read(text)?;
+        let used = Used::of(&operations);
+        Ok(Self { text: text.into(), operations: operations.into(), switches: switches.into(), used })
     }
 
     /// The formula with the opposite speed in the place of `w`.
@@ -269,13 +265,6 @@ fn second_argument(operations: &[Operation], range: Range<usize>) -> usize {
         }
     }
     range.start
-}
-
-fn used(operations: &[Operation]) -> Used {
-    let all = [Variable::Coordinate, Variable::Speed, Variable::Time, Variable::Place];
-    let [coordinate, speed, time, place] =
-        all.map(|variable| operations.contains(&Operation::Variable(variable)));
-    Used { coordinate, speed, time, place }
 }
 
 /// The result of operations that leave one number on the stack. `switch` gives the value of a function with a switch from

@@ -9,7 +9,6 @@
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
-mod branches;
 mod formula;
 mod interval;
 mod locate;
@@ -20,11 +19,10 @@ mod program;
 mod rounded;
 mod slope;
 
-pub use branches::Branches;
 pub use formula::Formula;
 pub use number::Sign;
 pub use parse::{FUNCTIONS, FormulaError};
-pub use program::{Switch, Used, Variable, Variables};
+pub use program::{Branches, Switch, Used, Variable, Variables};
 
 assur_words::resources!();
 

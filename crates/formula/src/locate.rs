@@ -6,9 +6,9 @@ use assur_number::search::bisect;
 
 use crate::formula::{Formula, OF_MOTION};
 use crate::number::{Number, Sign};
-use crate::program::{Variable, Variables};
+use crate::program::{Branches, Variable, Variables};
 use crate::slope::{Dual, Signed};
-use crate::{branches::Branches, interval::Interval, rounded::Rounded};
+use crate::{interval::Interval, rounded::Rounded};
 
 /// Steps of the search: more only where intervals overestimate much; the branch is then said to end early, which costs
 /// another search and changes no value.

@@ -41,12 +41,6 @@ impl Describe for FormulaError {
     }
 }
 
-/// A formula as operations, with its switches.
-pub(crate) struct Program {
-    pub(crate) operations: Vec<Operation>,
-    pub(crate) switches: Vec<Switch>,
-}
-
 type Input<'i> = LocatingSlice<&'i str>;
 type Failure = ErrMode<ContextError>;
 
@@ -64,7 +58,8 @@ fn letters(of: impl Into<String>) -> Text {
     words(of.into())
 }
 
-pub(crate) fn read(text: &str) -> Result<Program, FormulaError> {
+/// A formula as operations, with its switches.
+pub(crate) fn read(text: &str) -> Result<(Vec<Operation>, Vec<Switch>), FormulaError> {
     let fault = |span: Range<usize>, what: Text| Err(FormulaError { span, what });
     if text.len() > MOST_BYTES {
         return fault(0..text.len(), text!("formula-too-long", most = MOST_BYTES, count = text.len()));
@@ -82,7 +77,7 @@ pub(crate) fn read(text: &str) -> Result<Program, FormulaError> {
             if depth > DEPTH {
                 return fault(0..text.len(), text!("formula-too-deep", most = DEPTH));
             }
-            Ok(Program { operations: writer.operations, switches: writer.switches })
+            Ok((writer.operations, writer.switches))
         }
         Err(error) => {
             let at = error.offset();
@@ -290,7 +285,8 @@ impl Writer<'_> {
                 return fault(text!("formula-many-switches", most = MOST_SWITCHES));
             }
             Operation::Switch(kind, _) => {
-                self.switches.push(Switch { used: Used::default(), operations, kind, span: span.clone() });
+                let used = Used::of(&self.operations[operations.clone()]);
+                self.switches.push(Switch { used, operations, kind, span: span.clone() });
                 Operation::Switch(kind, self.switches.len() - 1)
             }
             other => other,

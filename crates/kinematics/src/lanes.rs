@@ -25,12 +25,8 @@ impl LanePosition {
     /// Copies one of the eight positions.
     pub fn copy_lane(&self, lane: usize, position: &mut Position) {
         position.coordinate = self.coordinates.0[lane];
-        for (one, all) in position.bodies.iter_mut().zip(&self.bodies) {
-            *one = all.lane(lane);
-        }
-        for (one, all) in position.health.iter_mut().zip(&self.health) {
-            *one = all.0[lane];
-        }
+        position.bodies.iter_mut().zip(&self.bodies).for_each(|(one, all)| *one = all.lane(lane));
+        position.health.iter_mut().zip(&self.health).for_each(|(one, all)| *one = all.0[lane]);
     }
 
     /// Copies the numbers of one lane to another.

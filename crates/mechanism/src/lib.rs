@@ -5,7 +5,6 @@
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
-mod alike;
 mod drive;
 mod friction;
 mod inertia;
@@ -17,7 +16,6 @@ mod point;
 mod size;
 mod warning;
 
-pub use alike::{appearance, likeness};
 pub use drive::{
     CharacteristicKind, Drive, FlywheelPlace, Motion, MotorChoice, RatedMotor, Solve, StepLength, Torque,
     Until, passage,
@@ -28,7 +26,7 @@ pub use key::{Key, Step};
 pub use load::{
     Balance, Brake, Contact, Direction, Force, LawTable, Load, LoadKind, Moment, Over, Shape, Spring, Value,
 };
-pub use name::{Name, Named};
+pub use name::{Name, Named, appearance, likeness};
 pub use numbers::links_of_length_zero;
 pub use point::ReductionPoint;
 pub use size::{

@@ -118,32 +118,31 @@ fn refuse_other_mobility(
     counted: Mobility,
     graph: &Graph,
 ) -> Result<(), StructureError> {
-    let link_names = |nodes: &[usize]| -> Vec<String> {
-        links_of(graph, nodes).into_iter().map(|link| mechanism.links[link].name.to_string()).collect()
+    let names = |links: &[LinkId]| -> Vec<String> {
+        links.iter().map(|link| mechanism.links[*link].name.to_string()).collect()
     };
     let surplus = graph.surplus().map(|(blocks, nodes)| {
         let mut seen = HashSet::new();
-        let names = blocks.into_iter().map(|block| mechanism.pair_name(graph.blocks[block].source));
-        let pairs: Vec<String> = names.filter(|name| seen.insert(*name)).map(ToString::to_string).collect();
-        (pairs, link_names(&nodes))
+        let pairs = blocks.into_iter().map(|block| mechanism.pair_name(graph.blocks[block].source));
+        let pairs = pairs.filter(|name| seen.insert(*name)).map(ToString::to_string);
+        (pairs.collect(), links_of(graph, &nodes))
     });
-    let loose_links = links_of(graph, &graph.loose());
-    let loose = link_names(&graph.loose());
-    match (surplus, loose.is_empty()) {
-        (None, true) => Ok(()),
-        (Some((pairs, mut links)), true) => {
-            if links.is_empty() {
-                // Both ends of the surplus pair are known (ground and input link).
-                links.push(mechanism.links[mechanism.input.link].name.to_string());
-            }
-            Err(StructureError::Surplus { counted, pairs, links, why: Box::default() })
-        }
-        (surplus, false) => {
-            let surplus = surplus.map_or(Vec::new(), |(pairs, _)| pairs);
-            let (alike, alone) = (alike(mechanism), alone(mechanism, &loose_links));
-            Err(StructureError::Loose { counted, links: loose, surplus, alike, alone })
-        }
+    let loose = links_of(graph, &graph.loose());
+    if !loose.is_empty() {
+        return Err(StructureError::Loose {
+            counted,
+            links: names(&loose),
+            surplus: surplus.map_or(Vec::new(), |(pairs, _)| pairs),
+            alike: alike(mechanism),
+            alone: alone(mechanism, &loose),
+        });
     }
+    let Some((pairs, mut links)) = surplus else { return Ok(()) };
+    if links.is_empty() {
+        // Both ends of the surplus pair are known (ground and input link).
+        links.push(mechanism.input.link);
+    }
+    Err(StructureError::Surplus { counted, pairs, links: names(&links), why: Box::default() })
 }
 
 /// Two points of different links that stand in one link each, but have nearly the same name.

@@ -69,22 +69,21 @@ fn locus<T: Real>(leg: &Leg<T>, bodies: &[Body<T>], is_own: bool) -> Locus<T> {
 
 /// The outer bodies as a leg between base and plate.
 fn around<T: Real>(base: &Mover<T>, plate: &Mover<T>, bodies: &[Body<T>]) -> Locus<T> {
+    let [at, on] = [base.own(), plate.own()];
     match (&base.freedom, &plate.freedom) {
         (Freedom::Turn(one), Freedom::Turn(other)) => {
             let way = minus(other.place(bodies), one.place(bodies));
-            Locus::Circle { at: one.own, on: other.own, length: dot(way, way).sqrt() }
+            Locus::Circle { at, on, length: dot(way, way).sqrt() }
         }
-        (Freedom::Shift(one), Freedom::Turn(other)) => {
-            let normal = perp(one.guide(bodies));
-            let offset = dot(normal, minus(other.place(bodies), bodies[one.body].point(one.through)));
-            let normal = times(normal, mirrored(one.carried(bodies, one.turn)));
-            Locus::OnBase { at: one.own, on: other.own, normal, offset }
-        }
-        (Freedom::Turn(one), Freedom::Shift(other)) => {
-            let normal = perp(other.guide(bodies));
-            let offset = dot(normal, minus(one.place(bodies), bodies[other.body].point(other.through)));
-            let normal = times(normal, mirrored(other.carried(bodies, other.turn)));
-            Locus::OnPlate { at: one.own, on: other.own, normal, offset }
+        (Freedom::Shift(slide), Freedom::Turn(pin)) | (Freedom::Turn(pin), Freedom::Shift(slide)) => {
+            let normal = perp(slide.guide(bodies));
+            let offset = dot(normal, minus(pin.place(bodies), bodies[slide.body].point(slide.through)));
+            let normal = times(normal, mirrored(slide.carried(bodies, slide.turn)));
+            if slide.link == base.link {
+                Locus::OnBase { at, on, normal, offset }
+            } else {
+                Locus::OnPlate { at, on, normal, offset }
+            }
         }
         (Freedom::Shift(one), Freedom::Shift(other)) => {
             let [d0, d2] = [one, other].map(|slide| slide.carried(bodies, slide.turn));

@@ -27,8 +27,10 @@ const LEAST_ARC: f64 = 1e-7;
 pub(crate) struct Trig<T> {
     mean: T,
     parts: [[T; 2]; 3],
-    /// Σ k^n times the size of the parts, n = 0 to 3; the first with the mean.
-    bounds: [f64; 4],
+    /// Bound of the function: the mean and the sizes of the parts.
+    size: f64,
+    /// Bound of its third derivative, Σ k³ times the size of the parts.
+    third: f64,
 }
 
 /// The directions of the samples, at the angles 2π k / 16.
@@ -56,13 +58,8 @@ impl<T: Real> Trig<T> {
         let mean = sum(0, 0);
         let sizes = parts.map(|[a, b]: [T; 2]| elementary::hypot(a.to_f64(), b.to_f64()));
         let [one, two, three] = sizes;
-        let bounds = [
-            mean.abs().to_f64() + one + two + three,
-            one + 2.0 * two + 3.0 * three,
-            one + 4.0 * two + 9.0 * three,
-            one + 8.0 * two + 27.0 * three,
-        ];
-        Self { mean, parts, bounds }
+        let size = mean.abs().to_f64() + one + two + three;
+        Self { mean, parts, size, third: one + 8.0 * two + 27.0 * three }
     }
 
     /// Value and first two derivatives at a direction.
@@ -93,8 +90,8 @@ impl<T: Real> Trig<T> {
     /// The directions (cos, sin) of all real zeros, some perhaps twice, where the samples are sums of terms of at most this size; `None` where the polynomial is zero but for
     /// rounding: every angle is one.
     pub(crate) fn zeros(&self, size: f64) -> Option<Vec<[T; 2]>> {
-        let slack = ROUNDING * T::EPSILON * size.max(self.bounds[0]);
-        if self.bounds[0].is_nan() || self.bounds[0] <= slack {
+        let slack = ROUNDING * T::EPSILON * size.max(self.size);
+        if self.size.is_nan() || self.size <= slack {
             return None;
         }
         let mut zeros = Vec::new();
@@ -109,7 +106,7 @@ impl<T: Real> Trig<T> {
     fn search(&self, zeros: &mut Vec<[T; 2]>, [low, high]: [f64; 2], slack: f64) {
         let (middle, h) = (0.5 * (low + high), 0.5 * (high - low));
         let [f, f1, f2] = self.at_angle(middle).map(Real::to_f64);
-        let third = self.bounds[3];
+        let third = self.third;
         if zeros.len() >= MOST || f.abs() > h * (f1.abs() + h * (0.5 * f2.abs() + h * third / 6.0)) + slack {
             return;
         }
