@@ -60,15 +60,14 @@ impl PlaceCourse {
     pub(crate) fn bounds(&self, [mut from, mut to]: [f64; 2]) -> [[f64; 2]; 2] {
         let (mut places, mut slopes) = (NOTHING, NOTHING);
         let whole = [self.ends[0], self.ends[self.parts.len()]];
-        match self.period {
+        if let Some(period) = self.period {
             // Of several cycles one has all places.
-            Some(period) => to = to.min(from + period),
-            None => {
-                if from < whole[0] || to > whole[1] {
-                    widen(&mut slopes, [0.0; 2]);
-                }
-                [from, to] = [from, to].map(|at| at.clamp(whole[0], whole[1]));
+            to = to.min(from + period);
+        } else {
+            if from < whole[0] || to > whole[1] {
+                widen(&mut slopes, [0.0; 2]);
             }
+            [from, to] = [from, to].map(|at| at.clamp(whole[0], whole[1]));
         }
         let mut shift = self.period.map_or(0.0, |period| ((from - whole[0]) / period).floor() * period);
         let first = self.ends.partition_point(|end| end + shift <= from).clamp(1, self.parts.len()) - 1;

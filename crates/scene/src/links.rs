@@ -97,8 +97,9 @@ fn add_points(linkage: &mut SceneLinks, entry: &Entry<'_>, link: LinkId) -> Opti
 /// is turned round.
 fn doubt_length(points: &[Entry<'_>], places: &[[f64; 2]]) {
     let ([one, other], &[a, b]) = (points, places) else { return };
-    let (point, x) = if a == [0.0; 2] { (other, b[0]) } else { (one, a[0]) };
-    let alone = a == [0.0; 2] || b == [0.0; 2];
+    let is_origin = |[x, y]: [f64; 2]| x == 0.0 && y == 0.0;
+    let (point, x) = if is_origin(a) { (other, b[0]) } else { (one, a[0]) };
+    let alone = is_origin(a) || is_origin(b);
     if let (true, true, Some(text)) = (alone, x < 0.0, point.value.as_str()) {
         let length = in_quotes(text.trim().trim_start_matches(['-', '\u{2212}']).trim_start());
         let place = joined("", [name_of("["), in_quotes(text), name_of(", 0]")]);

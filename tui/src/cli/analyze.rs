@@ -22,7 +22,9 @@ pub(crate) fn run(args: &AnalyzeArgs, style: Style) -> Result<Status, Fault> {
     let form = Form::of(args)?;
     let mut kept = Vec::new();
     let done = analyze(args, form, style, &mut kept);
-    kept.into_iter().for_each(|mistake| style.tell(mistake));
+    for mistake in kept {
+        style.tell(mistake);
+    }
     done
 }
 
@@ -38,7 +40,9 @@ fn analyze(args: &AnalyzeArgs, form: Form, style: Style, kept: &mut Vec<Text>) -
         if form == Form::Json {
             kept.extend(mistakes);
         } else {
-            mistakes.into_iter().for_each(|mistake| style.tell(mistake));
+            for mistake in mistakes {
+                style.tell(mistake);
+            }
         }
         Ok(())
     };

@@ -61,7 +61,9 @@ pub(crate) fn mistakes(session: &Session, warnings: &[Warning], style: Style) ->
 /// Tells what is probably not meant, or refuses it where that is an error.
 pub(super) fn tell_all(told: Vec<Text>, style: Style) -> Result<(), Fault> {
     refuse_strictly(&told, style)?;
-    told.into_iter().for_each(|one| style.tell(one));
+    for one in told {
+        style.tell(one);
+    }
     Ok(())
 }
 

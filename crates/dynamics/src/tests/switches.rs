@@ -274,6 +274,7 @@ fn crank_by_steps(
     side: fn([f64; 3]) -> bool,
     until: f64,
 ) -> (Vec<f64>, [f64; 2]) {
+    const STEPS: u32 = 20_000;
     let side = |[t, q, w]: [f64; 3]| side([place(q)[0], w, t]);
     let step = |[t, q, w]: [f64; 3], h: f64, above: bool| {
         let slope = |[t, q, w]: [f64; 3]| {
@@ -287,7 +288,6 @@ fn crank_by_steps(
         let d = slope(ahead(c, 1.0));
         ahead(std::array::from_fn(|i| (a[i] + 2.0 * (b[i] + c[i]) + d[i]) / 6.0), 1.0)
     };
-    const STEPS: u32 = 20_000;
     let h = until / f64::from(STEPS);
     let (mut state, mut changes) = ([0.0, 0.5, 6.0], Vec::new());
     for _ in 0..STEPS {

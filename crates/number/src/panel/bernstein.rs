@@ -45,6 +45,7 @@ impl<const N: usize> Bernstein<N> {
     }
 
     /// Its derivative where the interval is `length` long.
+    #[must_use]
     pub fn derivative(&self, length: f64) -> Self {
         let (degree, Self(all)) = ((N - 1) as f64, self);
         let step = |i: usize| degree * (all[i + 1] - all[i]) / length;
@@ -57,6 +58,7 @@ impl<const N: usize> Bernstein<N> {
     }
 
     /// The same polynomial on a part of [0, 1], over [0, 1].
+    #[must_use]
     pub fn within(&self, [from, to]: [f64; 2]) -> Self {
         Self(std::array::from_fn(|i| {
             let mut all = self.0;
