@@ -167,9 +167,9 @@ fn a_link_to_nothing_leads_to_a_new_file() {
         assert!(err(&refused).contains(why), "{}", err(&refused));
     }
     assert_eq!(names(path), before);
-    assert!(
-        before.iter().all(|name| name.ends_with(".toml") || name == "far" || path.join(name).is_symlink())
-    );
+    assert!(before.iter().all(|name| path.join(name).extension().is_some_and(|of| of == "toml")
+        || name == "far"
+        || path.join(name).is_symlink()));
 }
 
 /// Notes are in the JSON, once each, and none is told beside it; CSV has no place for them, so that what is probably not meant in the
