@@ -157,6 +157,12 @@ impl Applied {
         damped || self.laws().any(|law| law.used().speed)
     }
 
+    /// Whether a motion meets changes on its way that depend on the coordinate alone, as those of a place and a coordinate that do not
+    /// repeat together.
+    fn is_met_without_motion(&self) -> bool {
+        self.laws().any(|law| law.is_met() && !law.used().speed && !law.used().time)
+    }
+
     pub(crate) fn spring(&self) -> Option<&Spring> {
         if let Action::Spring(spring) = &self.action { Some(spring) } else { None }
     }
@@ -211,7 +217,11 @@ impl Loads {
         Dependence {
             inertia_constant: self.inertia_constant,
             moment_on_coordinate: self.moment_on_coordinate(),
-            moment_on_speed: self.applied.iter().any(Applied::depends_on_speed),
+            // What is met on the way has no bound of the coordinate, on which methods along the coordinate alone rely.
+            moment_on_speed: self
+                .applied
+                .iter()
+                .any(|load| load.depends_on_speed() || load.is_met_without_motion()),
             moment_on_time: self.applied.iter().any(|load| load.laws().any(|law| law.used().time)),
             moment_on_acceleration: false,
             moment_switches: self.applied.iter().flat_map(Applied::laws).any(Law::is_met),

@@ -338,7 +338,7 @@ fn motions_that_switch_over_a_place() {
             near(&[found.end.coordinate, found.end.speed], &end, 1e-6);
         }
     }
-    // x = q/10 + 0.2 is met five times in two turns, and there is no sixth.
+    // x = q/10 + 0.2 does not repeat with the turn; nor is there a bound of the coordinate for methods that go along it alone.
     let motion = "[motion]\nkind = 'transient'\nspeed = 6\nuntil = '2 rev'\n";
     let found = solved(&crank("sign(x - q/10 - 0.2)", motion), "auto").trajectory;
     let met = found.events.iter().filter(|event| event.kind == EventKind::Switch);
@@ -348,7 +348,7 @@ fn motions_that_switch_over_a_place() {
         .map(|cell| [f64::from(cell), f64::from(cell + 1)].map(|at| at * std::f64::consts::TAU / 1000.0));
     let wanted = cells.filter(|[a, b]| side(*a) != side(*b));
     let wanted: Vec<f64> = wanted.map(|[a, b]| bisect(a, b, 0.0, |q| side(q) == side(a))[1]).collect();
-    near(&met, &wanted, 1e-9);
+    near(&met, &wanted, 1e-7);
     assert!(wanted.len() > 2, "{wanted:?}");
 }
 
