@@ -63,10 +63,11 @@ fn all_files(folders: &[&str], end: &str) -> Vec<PathBuf> {
 }
 
 /// Names that texts have as words in their ordinary sense, each with that sense; as a name such a word stands in quotes.
-const SENSES: [(&str, &str); 5] = [
+const SENSES: [(&str, &str); 6] = [
     ("any", "every one"),
     ("energy", "of a motion or a spring"),
     ("groups", "those of Assur"),
+    ("longitudinal", "along a line, in the title of a paper among the sources"),
     ("quadrature", "an integral by sums"),
     ("uniform", "the same everywhere"),
 ];
