@@ -4,7 +4,7 @@ use assur_group::{AssurGroup, Body, GroupError, Number, Pair, PairGeometry, Wren
 use assur_kinematics::Linkage;
 use assur_number::Real;
 
-use crate::{ForceError, Reactions, balance::IdleBalance};
+use crate::{ForceError, Reactions, UnitBalance, balance::IdleBalance};
 
 /// Why there are no reactions.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -32,6 +32,14 @@ impl Unsolved {
 /// The kernel of a group.
 type Kernel<T> = dyn AssurGroup<T>;
 
+/// The mechanism in one number type.
+struct GroupByGroup<'a, T, S> {
+    linkage: &'a Linkage,
+    groups: &'a [Box<dyn AssurGroup<T>>],
+    bodies: &'a [Body<T>],
+    solve: S,
+}
+
 /// Finds the reactions of all groups, from the last to the first, then those of the input link, and the balancing load.
 ///
 /// `loads`: one wrench for each body about the origin of its frame; each group adds its reactions on the bodies that
@@ -52,30 +60,50 @@ pub fn group_by_group<T: Number>(
     out: &mut Reactions<T>,
     solve: impl Fn(&Kernel<T>, &[Body<T>], &mut [Wrench<T>], &mut [Wrench<T>]) -> Result<(), GroupError>,
 ) -> Result<(), Unsolved> {
-    // All reactions under some loads, and the load of the drive at the input: a moment (N m), or a force along the guide (N).
-    let pass = |solved: &[bool], loads: &mut [Wrench<T>], pairs: &mut [Wrench<T>]| {
-        for (index, group) in groups.iter().enumerate().rev().filter(|(index, _)| solved[*index]) {
-            let found = solve(group.as_ref(), bodies, loads, pairs);
-            found.map_err(|reason| Unsolved::Group(index, reason))?;
-        }
-        let (pair, input) = (&linkage.structure.pairs[0].pair, linkage.mechanism.input.link);
-        let (reaction, drive) = input_link(pair, input, bodies, loads);
-        pairs[0] = reaction;
-        Ok(drive)
-    };
-    out.balancing = pass(&out.solved, loads, &mut out.pairs)?;
-    if let Some(unit) = out.unit {
-        out.scratch_bodies.fill(Wrench::ZERO);
-        out.scratch_bodies[unit.link] = unit.wrench(bodies);
-        let unit_drive = pass(&out.solved, &mut out.scratch_bodies, &mut out.scratch_pairs)?;
-        out.balancing = unit.size(out.balancing, unit_drive, linkage).map_err(Unsolved::Idle)?;
-        for (sum, unit) in out.pairs.iter_mut().zip(&out.scratch_pairs) {
-            sum.fx += out.balancing * unit.fx;
-            sum.fy += out.balancing * unit.fy;
-            sum.m += out.balancing * unit.m;
-        }
+    let method = GroupByGroup { linkage, groups, bodies, solve };
+    let drive = method.pass(&out.solved, loads, &mut out.pairs)?;
+    match out.unit {
+        None => out.balancing = drive,
+        Some(unit) => method.balance(&unit, drive, out)?,
     }
     Ok(())
+}
+
+impl<T, S> GroupByGroup<'_, T, S>
+where
+    T: Number,
+    S: Fn(&Kernel<T>, &[Body<T>], &mut [Wrench<T>], &mut [Wrench<T>]) -> Result<(), GroupError>,
+{
+    /// All reactions under these loads, and the load of the drive at the input: a moment (N m), or a force along the
+    /// guide (N).
+    #[inline]
+    fn pass(&self, solved: &[bool], loads: &mut [Wrench<T>], pairs: &mut [Wrench<T>]) -> Result<T, Unsolved> {
+        let each = self.groups.iter().zip(solved).enumerate().rev();
+        for (index, (group, _)) in each.filter(|(_, (_, solved))| **solved) {
+            let found = (self.solve)(group.as_ref(), self.bodies, loads, pairs);
+            found.map_err(|reason| Unsolved::Group(index, reason))?;
+        }
+        let input = self.linkage.mechanism.input.link;
+        let (reaction, drive) = input_link(&self.linkage.structure.pairs[0].pair, input, self.bodies, loads);
+        pairs[0] = reaction;
+        Ok(drive)
+    }
+
+    /// Adds the reactions of the balancing load that makes the drive idle.
+    #[cold]
+    fn balance(&self, unit: &UnitBalance, drive: T, out: &mut Reactions<T>) -> Result<(), Unsolved> {
+        out.scratch_bodies.fill(Wrench::ZERO);
+        out.scratch_bodies[unit.link] = unit.wrench(self.bodies);
+        let unit_drive = self.pass(&out.solved, &mut out.scratch_bodies, &mut out.scratch_pairs)?;
+        let size = unit.size(drive, unit_drive, self.linkage).map_err(Unsolved::Idle)?;
+        for (sum, unit) in out.pairs.iter_mut().zip(&out.scratch_pairs) {
+            sum.fx += size * unit.fx;
+            sum.fy += size * unit.fy;
+            sum.m += size * unit.m;
+        }
+        out.balancing = size;
+        Ok(())
+    }
 }
 
 /// Equilibrium of the input link: the reaction on body `a` of its pair with the ground, and the load of the drive.
