@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, OnceLock};
 
-use assur_analysis::{AnalysisError, Calculation, Coverage, Options, Watch, plan, unwatched};
+use assur_analysis::{AnalysisError, Calculation, Coverage, Options, Watch, plan};
 use assur_fixtures::SCENES;
 use assur_kinematics::{CompileError, Linkage, decompose};
 use assur_mechanism::{Key, MOST_PARTS_DRAWN, Mechanism, Motion, Warning};
@@ -139,11 +139,16 @@ impl Session {
     }
 
     /// The positions with the results of what the scene requests, and with their checks where they are wanted.
-    pub(crate) fn analyzed(&self, options: &Options, checks: bool) -> Result<Results, Text> {
+    pub(crate) fn analyzed(
+        &self,
+        options: &Options,
+        checks: bool,
+        watch: &mut Watch<'_>,
+    ) -> Result<Results, Text> {
         let mut results = self.positions()?;
-        let mut found = self.found(options, &mut unwatched).map_err(|error| self.fault(&error))?;
+        let mut found = self.found(options, watch).map_err(|error| self.fault(&error))?;
         if checks {
-            let all = found.plans.calculation().checks(Coverage::Sample, &mut unwatched);
+            let all = found.plans.calculation().checks(Coverage::Sample, watch);
             found.take_checks(all.map_err(|stopped| stopped.describe())?);
         }
         results.found = Some(Box::new(found));

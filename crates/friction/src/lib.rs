@@ -27,7 +27,7 @@ mod unique;
 
 pub use every::{Solutions, nearest};
 pub use matrix::spectral_radius;
-pub use moduli::{Moduli, PathPoint, Width, path};
+pub use moduli::{Moduli, PathPoint, SHORTEST, Width, path};
 pub use unique::{Sum, Unique};
 
 #[cfg(test)]

@@ -88,7 +88,7 @@ pub(crate) fn length([x, y]: [f64; 2]) -> f64 {
 }
 
 /// Shortest step along a path, as part of all friction: where it does not suffice the path ends.
-const SHORTEST: f64 = 1e-9;
+pub const SHORTEST: f64 = 1e-9;
 
 /// First step, and most steps of a path.
 const FIRST: f64 = 1.0 / 32.0;
@@ -103,14 +103,21 @@ pub struct PathPoint {
     pub moduli: Vec<f64>,
 }
 
-/// The magnitudes of a solution with all friction, to which a path leads from a point of it; `None` where it ends before. `solve` finds
-/// the magnitudes at a part near expected ones, as [`Moduli::near`] does.
-pub fn path(mut now: PathPoint, mut solve: impl FnMut(f64, &[f64]) -> Option<Vec<f64>>) -> Option<Vec<f64>> {
+/// The magnitudes of a solution with all friction, to which a path leads from a point of it. `solve` finds the magnitudes at a part near
+/// expected ones, as [`Moduli::near`] does.
+///
+/// # Errors
+///
+/// The last point of a path that ends before.
+pub fn path(
+    mut now: PathPoint,
+    mut solve: impl FnMut(f64, &[f64]) -> Option<Vec<f64>>,
+) -> Result<Vec<f64>, PathPoint> {
     let mut before: Option<PathPoint> = None;
     let mut step = FIRST;
     for _ in 0..MOST {
         if now.part >= 1.0 {
-            return Some(now.moduli);
+            return Ok(now.moduli);
         }
         let part = (now.part + step).min(1.0);
         if let Some(moduli) = solve(part, &expected(before.as_ref(), &now, part)) {
@@ -119,11 +126,11 @@ pub fn path(mut now: PathPoint, mut solve: impl FnMut(f64, &[f64]) -> Option<Vec
         } else {
             step *= 0.5;
             if step < SHORTEST {
-                return None;
+                break;
             }
         }
     }
-    None
+    Err(now)
 }
 
 /// The magnitudes that a path will have, straight on.

@@ -14,6 +14,9 @@ const MOST_STEPS: usize = 400;
 /// Most steps of Newton's method.
 const MOST_NEWTON: usize = 60;
 
+/// Most steps of Newton's method to the next point of a path: where it takes more there is hardly any.
+const MOST_NEAR: usize = 16;
+
 /// Relative residual at which equations count as solved; rounding leaves some 1e-16 times the condition.
 const SOLVED: f64 = 1e-11;
 
@@ -59,7 +62,7 @@ impl Moduli {
         let mut steps = Steps::new(self);
         let reach = ASTRAY * steps.size(expected);
         // Away from what is expected it may wander for long.
-        let found = steps.newton_within(MOST_NEWTON, expected, |z| distance(z, expected) <= reach)?;
+        let found = steps.newton_within(MOST_NEAR, expected, |z| distance(z, expected) <= reach)?;
         let goes_on = |part: &Vec<usize>| {
             let size = part.iter().fold(0.0_f64, |most, j| most.max(found[*j]));
             let is_near = |j: &usize| (found[*j] - expected[*j]).abs() <= NEAR * size;

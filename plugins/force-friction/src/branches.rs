@@ -2,7 +2,7 @@
 //! several is taken, and up to which part of the coefficients there is any.
 
 use assur_force::{Block, ForceError, FrictionIteration};
-use assur_friction::{Moduli, PathPoint, nearest, path};
+use assur_friction::{Moduli, PathPoint, SHORTEST, nearest, path};
 use assur_group::Wrench;
 
 use crate::chain::{Chain, Prepared, add};
@@ -30,6 +30,8 @@ pub(crate) struct Solutions {
     pub(crate) jammed: Option<usize>,
     /// Spectral radius by group, NaN without friction.
     pub(crate) certificates: Vec<f64>,
+    /// The part of the coefficients at which the path of the first block from no friction ends, where this was found.
+    followed: f64,
 }
 
 /// Most solutions that are followed from block to block: each of them may lead to several in the next block.
@@ -46,6 +48,7 @@ impl Chain<'_> {
             continuum: false,
             jammed: None,
             certificates: vec![f64::NAN; self.linkage.groups().len()],
+            followed: f64::INFINITY,
         };
         for (index, block) in self.blocks().iter().enumerate() {
             let before = std::mem::take(&mut found.branches);
@@ -100,16 +103,22 @@ impl Chain<'_> {
         found.continuum |= all.continuum;
         if !all.complete {
             found.proved = false;
-            if let Some(continued) = self.continued(block, &branch, &prepared, scale)? {
-                all.index_of(continued);
+            // The loads of the first block are the same whatever the coefficients: so is its path.
+            let is_first = branch.moduli.is_empty();
+            if !is_first || scale <= self.followed {
+                match self.continued(block, &branch, &prepared, scale) {
+                    Ok(continued) => _ = all.index_of(continued),
+                    Err(end) if is_first => found.followed = scale * end.part,
+                    Err(_) => {}
+                }
             }
         }
         found.branches.extend(all.points.iter().map(|point| branch.clone().with(block, &prepared, point)));
         Ok(())
     }
 
-    /// The magnitudes of a solution near expected ones, with all coefficients times `scale`.
-    pub(crate) fn near(&self, loads: &[Wrench<f64>], scale: f64, expected: &[f64]) -> Option<Vec<f64>> {
+    /// The solution near expected magnitudes, with all coefficients times `scale`.
+    pub(crate) fn near(&self, loads: &[Wrench<f64>], scale: f64, expected: &[f64]) -> Option<Branch> {
         let pairs = vec![Wrench::ZERO; self.linkage.structure.pairs.len()];
         let mut branch = Branch { loads: loads.to_vec(), pairs, balancing: 0.0, moduli: Vec::new() };
         for block in self.blocks() {
@@ -119,7 +128,7 @@ impl Chain<'_> {
             let found = prepared.moduli.near(expected)?;
             branch = branch.with(block, &prepared, &found);
         }
-        Some(branch.moduli)
+        Some(branch)
     }
 
     /// Whether friction of a block, or a load on one of its links, is not determined at rest.
@@ -156,25 +165,26 @@ impl Chain<'_> {
         branch
     }
 
-    /// The solution of a block to which that without friction leads as the coefficients grow; `None` where it ends before.
+    /// The solution of a block to which that without friction leads as the coefficients grow, or where it ends before.
     fn continued(
         &self,
         block: &Block,
         branch: &Branch,
         whole: &Prepared,
         scale: f64,
-    ) -> Result<Option<Vec<f64>>, ForceError> {
+    ) -> Result<Vec<f64>, PathPoint> {
         let is_linear = whole.each.len() == block.unknowns.len();
-        let moduli = |part: f64| -> Result<Option<Moduli>, ForceError> {
+        let moduli = |part: f64| -> Option<Moduli> {
             if is_linear {
-                return Ok(Some(whole.moduli.scaled(part)));
+                return Some(whole.moduli.scaled(part));
             }
-            let prepared = self.prepare(block, (&branch.loads, &branch.pairs), scale * part)?;
-            Ok(prepared.map(|prepared| prepared.moduli))
+            let prepared = self.prepare(block, (&branch.loads, &branch.pairs), scale * part);
+            prepared.ok()?.map(|prepared| prepared.moduli)
         };
-        let Some(ideal) = moduli(0.0)? else { return Ok(None) };
-        let start = PathPoint { part: 0.0, moduli: ideal.step(&vec![0.0; ideal.count()]) };
-        Ok(path(start, |part, expected| moduli(part).ok()??.near(expected)))
+        let mut start = PathPoint { part: 0.0, moduli: Vec::new() };
+        let Some(ideal) = moduli(0.0) else { return Err(start) };
+        start.moduli = ideal.step(&vec![0.0; ideal.count()]);
+        path(start, |part, expected| moduli(part)?.near(expected))
     }
 
     /// How the friction of each block is found, on the way to the solution that is taken.
@@ -276,22 +286,29 @@ fn start(chain: &Chain<'_>, loads: &[Wrench<f64>], found: &Solutions) -> Option<
 }
 
 fn followed(chain: &Chain<'_>, loads: &[Wrench<f64>], found: &Solutions) -> Option<usize> {
-    let moduli = path(start(chain, loads, found)?, |part, expected| chain.near(loads, part, expected))?;
+    let near = |part: f64, z: &[f64]| Some(chain.near(loads, part, z)?.moduli);
+    let moduli = path(start(chain, loads, found)?, near).ok()?;
     nearest(found.branches.iter().map(|branch| &branch.moduli), &moduli)
 }
 
 /// The upper end of the interval from 0 of the parts of the coefficients for which there is a solution.
 pub(crate) fn limit(chain: &Chain<'_>, loads: &[Wrench<f64>]) -> f64 {
+    let first = chain.first(loads);
+    let mut chain = chain.knowing(first.as_ref());
     let whole = chain.solutions(loads, 1.0).ok();
-    let mut last = whole.and_then(|found| start(chain, loads, &found));
-    let (mut holding, mut failing) = match &last {
-        Some(node) if node.part > START => (node.part, (node.part * RATIO).min(1.0)),
-        _ => (0.0, START),
-    };
-    // A solution is mostly near the last one that was followed to; elsewhere it is looked for.
+    chain.followed = whole.as_ref().map_or(f64::INFINITY, |found| found.followed);
+    let start = whole.and_then(|found| start(&chain, loads, &found));
+    let none = PathPoint { part: 0.0, moduli: Vec::new() };
+    let near = |part: f64, z: &[f64]| Some(chain.near(loads, part, z)?.moduli);
+    let Err(mut last) = start.map_or(Err(none), |start| path(start, near)) else { return 1.0 };
+    let (mut holding, mut failing) = (last.part, (last.part * RATIO).clamp(START, 1.0));
+    let beyond = last.part + SHORTEST;
+    // A solution is near the last one that was followed to; where that ends it is looked for.
     let mut exists = |part: f64| {
-        if let Some(moduli) = last.as_ref().and_then(|last| chain.near(loads, part, &last.moduli)) {
-            last = Some(PathPoint { part, moduli });
+        if part <= beyond
+            && let Some(moduli) = near(part, &last.moduli)
+        {
+            last = PathPoint { part, moduli };
             return true;
         }
         chain.solutions(loads, part).is_ok_and(|found| !found.branches.is_empty())

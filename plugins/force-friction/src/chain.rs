@@ -22,10 +22,14 @@ pub(crate) struct Chain<'a> {
     unit: Option<UnitBalance>,
     /// What acts in a motion whose acceleration takes the place of the balancing load.
     free: Option<&'a FreeMotion<'a>>,
+    /// The first block with all of its friction, where this is known and the other parts of it follow.
+    first: Option<&'a Prepared>,
+    /// The part of the coefficients up to which the solution of the first block can be followed, where it is known.
+    pub(crate) followed: f64,
 }
 
 /// The responses of some stages to several sets of loads on their links, set after set.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(crate) struct Responses {
     /// The loads, with those that the stages hand on: one wrench for each body in a set.
     loads: Vec<Wrench<f64>>,
@@ -53,12 +57,19 @@ impl<'a> Chain<'a> {
     pub(crate) fn of(linkage: &'a Linkage, position: &'a Position, out: &'a Reactions) -> Option<Self> {
         let friction = out.friction.as_ref()?;
         let (frictions, given) = (friction.frictions.as_ref(), friction);
-        Some(Self { linkage, position, frictions, given, solved: &out.solved, unit: out.unit, free: None })
+        let (first, followed) = (None, f64::INFINITY);
+        let (solved, unit, free) = (&out.solved[..], out.unit, None);
+        Some(Self { linkage, position, frictions, given, solved, unit, free, first, followed })
     }
 
     /// The chain in a motion whose acceleration is looked for: the drive balances it.
     pub(crate) fn moved_by(self, motion: &'a FreeMotion<'a>) -> Self {
         Self { unit: None, free: Some(motion), ..self }
+    }
+
+    /// The chain with its first block known.
+    pub(crate) fn knowing(self, first: Option<&'a Prepared>) -> Self {
+        Self { first, ..self }
     }
 
     /// Which of several solutions belongs to the motion, by their balancing loads; `None` where no drive on the input made it.
@@ -138,6 +149,9 @@ impl<'a> Chain<'a> {
         (loads, pairs): (&[Wrench<f64>], &[Wrench<f64>]),
         scale: f64,
     ) -> Result<Option<Prepared>, ForceError> {
+        if let Some(first) = self.first.filter(|_| std::ptr::eq(block, &self.blocks()[0])) {
+            return Ok(Some(first.scaled(scale)));
+        }
         let unknowns = &block.unknowns;
         // The last is that to the balancing load, or to the inertia loads of the acceleration.
         let sets = 1 + unknowns.len() + usize::from(self.unit.is_some() || self.free.is_some());
@@ -188,6 +202,13 @@ impl<'a> Chain<'a> {
         Ok(Some(Prepared { all, each: moduli.into_iter().map(|(_, of)| of).collect(), moduli: system }))
     }
 
+    /// The first block under its loads, where all of its friction is linear in the coefficients.
+    pub(crate) fn first(&self, loads: &[Wrench<f64>]) -> Option<Prepared> {
+        let (block, pairs) = (self.blocks().first()?, vec![Wrench::ZERO; self.linkage.structure.pairs.len()]);
+        let prepared = self.prepare(block, (loads, &pairs), 1.0).ok()??;
+        (prepared.each.len() == block.unknowns.len()).then_some(prepared)
+    }
+
     /// Adds to each response that of the balancing load with which the drive is idle, the last; its size replaces that of the drive.
     fn balance(&self, unit: &UnitBalance, all: &mut Responses) -> Result<(), ForceError> {
         let last = all.drives.len() - 1;
@@ -214,6 +235,18 @@ fn accelerate(motion: &FreeMotion<'_>, all: &mut Responses) {
         let acceleration = (given - all.drives[response]) / own.drives[0];
         all.add(response, acceleration, &own);
         all.drives[response] = acceleration;
+    }
+}
+
+impl Prepared {
+    /// With this part of all coefficients.
+    fn scaled(&self, part: f64) -> Self {
+        let mut all = self.all.clone();
+        for &set in &self.each {
+            let own = all.one(set);
+            all.add(set, part - 1.0, &own);
+        }
+        Self { all, each: self.each.clone(), moduli: self.moduli.scaled(part) }
     }
 }
 

@@ -50,6 +50,9 @@ assur_force::inventory::submit! {
     }
 }
 
+/// Evaluations of a motion between two searches for other solutions: as many as a step of an integrator takes, which lie side by side.
+const FOLLOWED: usize = 12;
+
 /// The method.
 #[derive(Debug, Clone, Copy)]
 pub struct Friction;
@@ -124,11 +127,25 @@ impl ForceAnalyzer for Friction {
         if let Some(only) = (Quick { linkage, groups, bodies }).accelerated(motion, out) {
             return Some(Ok(Accelerations { solutions: vec![only], proved: true }));
         }
+        let (known, left) = &out.friction.as_ref()?.followed;
         let chain = Chain::of(linkage, position, out)?.moved_by(motion);
-        Some(chain.solutions(motion.loads, 1.0).map(|found| Accelerations {
-            solutions: found.branches.iter().map(|branch| chain.told(branch, false)).collect(),
-            proved: found.proved,
-        }))
+        let near = if *left > 0 { chain.near(motion.loads, 1.0, known) } else { None };
+        let (branches, proved, left) = match near {
+            Some(only) => (vec![only], false, left - 1),
+            None => match chain.solutions(motion.loads, 1.0) {
+                Ok(found) => (found.branches, found.proved, FOLLOWED),
+                Err(error) => return Some(Err(error)),
+            },
+        };
+        let solutions = branches.iter().map(|branch| chain.told(branch, false)).collect();
+        let followed = match &branches[..] {
+            [only] => (only.moduli.clone(), left),
+            _ => (Vec::new(), 0),
+        };
+        if let Some(friction) = &mut out.friction {
+            friction.followed = followed;
+        }
+        Some(Ok(Accelerations { solutions, proved }))
     }
 
     fn friction<'a>(

@@ -107,10 +107,15 @@ impl Frictional<'_> {
         let all = if let Some(only) = only {
             Solutions { points: vec![only], complete: true, continuum: false }
         } else {
-            let near = |part: f64, expected: &[f64]| prepared(part).ok()?.2.near(expected);
+            let near = |part: f64, expected: &[f64]| {
+                if shifts.iter().all(|shift| *shift == 0.0) {
+                    return system.scaled(part).near(expected);
+                }
+                prepared(part).ok()?.2.near(expected)
+            };
             let start = PathPoint { part: 0.0, moduli: prepared(0.0)?.2.step(&zero) };
             let mut all = system.solutions();
-            taken = path(start, near).map(|z| all.index_of(z));
+            taken = path(start, near).ok().map(|z| all.index_of(z));
             all
         };
         let sums: Vec<Solution> = (all.points.iter())

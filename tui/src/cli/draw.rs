@@ -14,6 +14,7 @@ use super::options::SceneArgs;
 use super::output::Output;
 use super::scene;
 use super::style::Style;
+use crate::progress::ProgressLine;
 use crate::session::Session;
 use crate::still::{self, PictureArgs, StillError};
 use crate::verdict::Verdict;
@@ -36,7 +37,9 @@ fn analyzed(
     checks: bool,
     style: Style,
 ) -> Result<(Results, Verdict), Fault> {
-    let results = session.analyzed(options, checks).map_err(Fault::Scene)?;
+    let line = ProgressLine::new(style.language);
+    let results = session.analyzed(options, checks, &mut line.watch()).map_err(Fault::Scene)?;
+    drop(line);
     let mut verdict = Verdict::default();
     if let Some(found) = &results.found {
         scene::warn_of_motion(session, found.plans.calculation(), style)?;
@@ -89,7 +92,9 @@ pub(crate) fn report(args: &ReportArgs, language: Option<&str>, style: Style) ->
     let status = verdict.proved();
     let stem = args.output.file_stem().unwrap_or_default().to_string_lossy();
     let figures = format!("{stem}-figures");
+    let line = ProgressLine::new(style.language);
     let written = assur_note::write(&results, &note, form, &figures).map_err(Fault::Other)?;
+    drop(line);
     if !written.figures.is_empty() {
         let folder = args.output.with_file_name(&figures);
         let names: Vec<&str> = written.figures.iter().map(|(name, _)| name.as_str()).collect();

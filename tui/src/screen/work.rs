@@ -58,7 +58,7 @@ pub(crate) fn run(job: &Job, tell: &dyn Fn(Report)) -> Report {
 
 /// The explanatory note of a scene.
 fn note(session: &Session, options: &Options) -> Result<String, Text> {
-    let results = session.analyzed(options, true)?;
+    let results = session.analyzed(options, true, &mut assur_analysis::unwatched)?;
     assur_note::write(&results, &session.note, Form::Html, "").map(|written| written.text)
 }
 

@@ -54,6 +54,8 @@ pub struct FrictionForces<T = f64> {
     pub doubts: Vec<(usize, Doubt)>,
     /// Scratch of a method: one wrench for each body.
     pub loads: Vec<Wrench<T>>,
+    /// Scratch of a method: the magnitudes found last in a motion, and how many evaluations may follow them before others are looked for.
+    pub followed: (Vec<f64>, usize),
 }
 
 /// A position with several solutions, or where there may be others.
@@ -128,6 +130,7 @@ impl<T: Real> FrictionForces<T> {
             certificates: vec![T::from_f64(f64::NAN); linkage.groups().len()],
             doubts: Vec::new(),
             loads: Vec::new(),
+            followed: (Vec::new(), 0),
             frictions,
         }
     }

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use assur_analysis::Options;
+use assur_analysis::{Options, unwatched};
 use assur_note::Form;
 use assur_picture::{Picture, Results};
 use assur_testkit::guard::{self, Hash};
@@ -22,7 +22,7 @@ const POSITION: usize = 5;
 fn pictures((scene, has_note): &(PathBuf, bool)) -> Vec<(String, String)> {
     let session = Session::open(Source::File(scene.clone())).unwrap();
     let own = session.note.clone();
-    let results = session.analyzed(&Options::default(), true).unwrap();
+    let results = session.analyzed(&Options::default(), true, &mut unwatched).unwrap();
     let written = has_note.then(|| assur_note::write(&results, &own, Form::Markdown, "").ok()).flatten();
     let mut found: Vec<_> = Picture::VARIANTS.iter().flat_map(|view| of_view(&results, view)).collect();
     found.extend(written.map(|written| {

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use assur_analysis::Options;
+use assur_analysis::{Options, unwatched};
 use assur_figure::svg;
 use assur_picture::Picture;
 use strum::VariantNames;
@@ -89,7 +89,7 @@ fn no_name_lies_on_another_one_or_on_a_support() {
     let (mut count, mut found) = (0, Vec::new());
     for scene in scenes {
         let session = Session::open(Source::File(scene.clone())).unwrap();
-        let results = session.analyzed(&Options::default(), false).unwrap();
+        let results = session.analyzed(&Options::default(), false, &mut unwatched).unwrap();
         let mut state = super::empty(Some(Scene { results, ..Scene::of(session).unwrap() }));
         for view in Picture::VARIANTS.iter().map(|view| view.parse::<View>().unwrap()) {
             state.view = view;

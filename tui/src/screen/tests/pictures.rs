@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use assur_analysis::Options;
 use assur_analysis::results::{Column, Owner, Quantity};
+use assur_analysis::{Options, unwatched};
 use assur_figure::{Item, Sample};
 use assur_mechanism::Surfaces;
 use assur_picture::{Picture, Results};
@@ -31,7 +31,7 @@ fn request(view: &str) -> PictureArgs {
 
 fn analyzed(name: &str, request: &PictureArgs) -> Results {
     let session = Session::open(Source::File(assur_fixtures::path(&format!("{name}.toml")))).unwrap();
-    session.analyzed(&Options::default(), request.shows_checks()).unwrap()
+    session.analyzed(&Options::default(), request.shows_checks(), &mut unwatched).unwrap()
 }
 
 fn draw(results: &Results, request: &PictureArgs) -> Result<Vec<u8>, StillError> {

@@ -7,7 +7,7 @@ mod numbers;
 use std::collections::BTreeSet;
 
 use assur_all as _;
-use assur_analysis::Options;
+use assur_analysis::{Options, unwatched};
 use assur_note::{Form, Written};
 use assur_picture::Results;
 use assur_scene::Note;
@@ -22,7 +22,7 @@ fn note(language: &'static str) -> Note {
 /// A scene with its analysis done.
 fn results(scene: &str) -> Results {
     let session = Session::open(Source::File(assur_fixtures::path(&format!("{scene}.toml")))).unwrap();
-    session.analyzed(&Options::default(), true).unwrap()
+    session.analyzed(&Options::default(), true, &mut unwatched).unwrap()
 }
 
 fn written(results: &Results, language: &'static str, form: Form) -> Written {
@@ -92,7 +92,7 @@ fn every_tag_is_closed_and_every_text_is_there() {
 fn no_name_is_markup() {
     let path = assur_fixtures::path("../tests/corpus/markdown-script.toml");
     let session = Session::open(Source::File(path)).unwrap();
-    let results = session.analyzed(&Options::default(), true).unwrap();
+    let results = session.analyzed(&Options::default(), true, &mut unwatched).unwrap();
     for form in [Form::Html, Form::Markdown] {
         let written = self::written(&results, "en", form);
         assert!(written.text.contains("script"));
