@@ -149,7 +149,8 @@ impl<'a> Chain<'a> {
         (loads, pairs): (&[Wrench<f64>], &[Wrench<f64>]),
         scale: f64,
     ) -> Result<Option<Prepared>, ForceError> {
-        if let Some(first) = self.first.filter(|_| std::ptr::eq(block, &self.blocks()[0])) {
+        let is_first = || self.blocks().first().is_some_and(|first| std::ptr::eq(block, first));
+        if let Some(first) = self.first.filter(|_| is_first()) {
             return Ok(Some(first.scaled(scale)));
         }
         let unknowns = &block.unknowns;
