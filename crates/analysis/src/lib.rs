@@ -42,8 +42,9 @@ pub use error::AnalysisError;
 pub use inputs::{PossibleInput, StructureStudy};
 pub use modes::{GroupModes, modes};
 pub use motion::{InputMotion, method_of_motion};
-pub use positions::{MOST_FAILURES, lost_positions};
+pub use positions::lost_positions;
 pub use progress::{Progress, Stopped, Watch, unwatched};
+pub use warnings::MOST_FAILURES;
 
 #[cfg(test)]
 mod tests;

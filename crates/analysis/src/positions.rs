@@ -12,11 +12,8 @@ use crate::angles::{Angles, Starts};
 use crate::blocks::{Block, Blocks};
 use crate::progress::{Stopped, Watch};
 use crate::results::{Analysis, Failure, InputReport, Peaks, Schema, Survey, Table};
-use crate::warnings::{Listed, Seen};
+use crate::warnings::{Listed, MOST_FAILURES, Seen};
 use crate::{Calculation, Progress, several::Several};
-
-/// Most failures that are kept in full.
-pub const MOST_FAILURES: usize = 1000;
 
 struct Positions {
     kept: Table,

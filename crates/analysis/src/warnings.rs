@@ -12,9 +12,11 @@ use assur_mechanism::{Mechanism, Motion, Range, Warning};
 use assur_words::{Describe, Text, coordinate, joined, list, name, number, quantity, text};
 
 use crate::{
-    Calculation, InputMotion, Options, positions::MOST_FAILURES, results::Survey, several::Several,
-    trajectory::WithoutForces,
+    Calculation, InputMotion, Options, results::Survey, several::Several, trajectory::WithoutForces,
 };
+
+/// Most failures that are kept in full.
+pub const MOST_FAILURES: usize = 1000;
 
 /// What the calculated positions and samples show, as far as warnings need it.
 pub(crate) struct Seen<'a> {

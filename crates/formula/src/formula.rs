@@ -4,9 +4,9 @@ use std::{ops::Range, sync::Arc};
 
 use assur_number::Dd;
 
-use crate::number::{Number, Sign};
+use crate::number::Number;
 use crate::parse::{self, FormulaError};
-use crate::program::{Branches, DEPTH, Kind, Operation, Switch, Used, Variable, Variables};
+use crate::program::{Branches, DEPTH, Kind, Operation, Sign, Switch, Used, Variable, Variables};
 use crate::rounded::Rounded;
 use crate::slope::{Dual, Signed};
 

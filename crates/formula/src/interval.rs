@@ -6,8 +6,8 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use assur_number::elementary;
 
-use crate::number::{Number, Sign};
-use crate::program::{Function, Kind};
+use crate::number::Number;
+use crate::program::{Function, Kind, Sign};
 use crate::slope::Signed;
 
 /// All numbers between two bounds.

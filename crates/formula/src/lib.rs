@@ -20,9 +20,8 @@ mod rounded;
 mod slope;
 
 pub use formula::Formula;
-pub use number::Sign;
 pub use parse::{FUNCTIONS, FormulaError};
-pub use program::{Branches, Switch, Used, Variable, Variables};
+pub use program::{Branches, Sign, Switch, Used, Variable, Variables};
 
 assur_words::resources!();
 

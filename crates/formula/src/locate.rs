@@ -5,8 +5,8 @@ use std::ops::Range;
 use assur_number::search::bisect;
 
 use crate::formula::{Formula, OF_MOTION};
-use crate::number::{Number, Sign};
-use crate::program::{Branches, Variable, Variables};
+use crate::number::Number;
+use crate::program::{Branches, Sign, Variable, Variables};
 use crate::slope::{Dual, Signed};
 use crate::{interval::Interval, rounded::Rounded};
 

@@ -1,10 +1,10 @@
 //! What a formula is evaluated with: numbers, or intervals of them.
 
-use std::{cmp::Ordering, f64::consts::TAU};
+use std::f64::consts::TAU;
 
 use assur_number::{Real, elementary};
 
-use crate::program::{Function, Kind};
+use crate::program::{Function, Kind, Sign};
 
 /// A number or an interval of numbers.
 pub(crate) trait Number: Copy {
@@ -36,34 +36,6 @@ pub(crate) trait Number: Copy {
     /// This angle of the point with the ordinate `y` and the abscissa `x`, a turn away where the point has passed the
     /// negative half of the axis from this side.
     fn continued(self, y: Self, x: Self, side: Sign) -> Self;
-}
-
-/// The sign of a number that may be zero.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Sign {
-    /// Less than zero.
-    Negative,
-    /// Zero.
-    Zero,
-    /// Greater than zero.
-    Positive,
-}
-
-impl Sign {
-    /// The sign of a number; `None` of what is not one.
-    pub fn of(value: f64) -> Option<Self> {
-        value.partial_cmp(&0.0).map(Self::from)
-    }
-}
-
-impl From<Ordering> for Sign {
-    fn from(order: Ordering) -> Self {
-        match order {
-            Ordering::Less => Self::Negative,
-            Ordering::Equal => Self::Zero,
-            Ordering::Greater => Self::Positive,
-        }
-    }
 }
 
 /// The turn by which an angle is continued beyond the negative half of the axis.

@@ -4,8 +4,8 @@ use std::f64::consts::LN_2;
 
 use assur_number::{Dd, Real, elementary};
 
-use crate::number::{Scalar, Sign};
-use crate::program::Function;
+use crate::number::Scalar;
+use crate::program::{Function, Sign};
 
 /// ln 2 beyond its 16 digits.
 const LN_2_REST: f64 = 2.319_046_813_846_3e-17;

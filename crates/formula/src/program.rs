@@ -1,8 +1,6 @@
 //! A formula as a sequence of operations on a stack.
 
-use std::ops::Range;
-
-use crate::number::Sign;
+use std::{cmp::Ordering, ops::Range};
 
 /// A quantity that a formula may use, all in SI.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -175,6 +173,34 @@ pub struct Switch {
     pub(crate) kind: Kind,
     /// Where it stands in the text, bytes.
     pub span: Range<usize>,
+}
+
+/// The sign of a number that may be zero.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Sign {
+    /// Less than zero.
+    Negative,
+    /// Zero.
+    Zero,
+    /// Greater than zero.
+    Positive,
+}
+
+impl Sign {
+    /// The sign of a number; `None` of what is not one.
+    pub fn of(value: f64) -> Option<Self> {
+        value.partial_cmp(&0.0).map(Self::from)
+    }
+}
+
+impl From<Ordering> for Sign {
+    fn from(order: Ordering) -> Self {
+        match order {
+            Ordering::Less => Self::Negative,
+            Ordering::Equal => Self::Zero,
+            Ordering::Greater => Self::Positive,
+        }
+    }
 }
 
 /// Given sides of some of the switches of a formula: the signs of their arguments.

@@ -5,8 +5,8 @@ use std::f64::consts::{PI, TAU};
 
 use assur_number::elementary;
 
-use crate::number::{Number, Sign, turn};
-use crate::program::{Function, Kind};
+use crate::number::{Number, turn};
+use crate::program::{Function, Kind, Sign};
 use crate::slope::Signed;
 
 /// Rounding of one operation, as part of its result: functions of the standard library are good to a unit in the last

@@ -1,8 +1,8 @@
 //! The derivative of a formula by a variable: forward differentiation along with the value (A. Griewank, A. Walther, Evaluating
 //! Derivatives, section 3.1).
 
-use crate::number::{Number, Scalar, Sign};
-use crate::program::{Function, Kind};
+use crate::number::{Number, Scalar};
+use crate::program::{Function, Kind, Sign};
 
 /// A number whose sign can be determined, so that a constant is known to be one.
 pub(crate) trait Signed: Number {

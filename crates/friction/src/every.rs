@@ -3,7 +3,7 @@
 use assur_number::elementary;
 
 use crate::matrix::solve;
-use crate::moduli::{Moduli, Width, length};
+use crate::moduli::{Moduli, Width, distance};
 use crate::quadrics::{self, Quadric};
 use crate::steps::Steps;
 
@@ -270,9 +270,4 @@ fn nonnegative(point: &[f64], direction: &[f64], slack: f64) -> Option<[f64; 2]>
         }
     }
     (low <= high + slack).then_some([low, high])
-}
-
-/// Greatest difference of two solutions.
-pub(crate) fn distance(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).fold(0.0, |most, (a, b)| most.max(length([a - b, 0.0])))
 }

@@ -87,6 +87,11 @@ pub(crate) fn length([x, y]: [f64; 2]) -> f64 {
     if y == 0.0 { x.abs() } else { elementary::hypot(x, y) }
 }
 
+/// Greatest difference of two solutions.
+pub(crate) fn distance(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).fold(0.0, |most, (a, b)| most.max(length([a - b, 0.0])))
+}
+
 /// Shortest step along a path, as part of all friction: where it does not suffice the path ends.
 pub const SHORTEST: f64 = 1e-9;
 

@@ -4,9 +4,8 @@ use assur_number::Real;
 use assur_number::elimination::factor;
 
 use crate::Moduli;
-use crate::every::distance;
 use crate::matrix::{is_contraction, solve};
-use crate::moduli::length;
+use crate::moduli::{distance, length};
 
 /// Most steps of the iteration before Newton's method.
 const MOST_STEPS: usize = 400;

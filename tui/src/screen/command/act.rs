@@ -199,7 +199,7 @@ pub(super) fn reload(state: &mut State) {
         }
         Source::File(_) => {
             let source = scene.session.source.clone();
-            jobs::read(state, Wanted::Open(source));
+            state.read(Wanted::Open(source));
         }
         Source::Shipped(_) => state.say(Role::Plain, text!("say-no-file")),
     }

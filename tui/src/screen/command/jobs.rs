@@ -11,10 +11,6 @@ use crate::screen::state::{
     Report, Role, Running, Scene, State, Stop, View, Wanted, Zoom,
 };
 
-pub(super) fn read(state: &mut State, wanted: Wanted) {
-    state.effects.push(Effect::Work(Job::Read(wanted)));
-}
-
 /// Requests a calculation of the open scene by the chosen analyzer and integrator.
 pub(crate) fn ask(state: &mut State, purpose: Purpose) {
     ask_by(state, purpose, state.options.clone());

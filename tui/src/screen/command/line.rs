@@ -4,7 +4,7 @@ use assur_fixtures::SCENES;
 use assur_picture::{Look, Picture, find};
 use assur_words::{self as words, Text, text};
 
-use super::{act, jobs, motors, picker, whatif, write};
+use super::{act, motors, picker, whatif, write};
 use crate::screen::state::{
     Chosen, Group, Panels, Pictures, Role, SETTINGS, Scene, Source, State, View, Wanted,
 };
@@ -128,7 +128,7 @@ fn compare(state: &mut State, file: &str) {
         "" => state.say(Role::Bad, text!("say-compare")),
         "off" => state.compared = None,
         _ if state.scene.is_none() => state.say(Role::Bad, text!("say-nothing-to-compare")),
-        _ => jobs::read(state, Wanted::Compare(source(file))),
+        _ => state.read(Wanted::Compare(source(file))),
     }
 }
 

@@ -4,7 +4,7 @@ use assur_fixtures::SCENES;
 use assur_words::{name, text};
 use crossterm::event::KeyCode;
 
-use super::{jobs, motors, whatif};
+use super::{motors, whatif};
 use crate::screen::state::{Choice, Key, Picker, PickerKind, Series, Source, State, View, Wanted};
 
 const PAGE: isize = 10;
@@ -84,6 +84,6 @@ pub(super) fn preview(state: &mut State) {
     if let Some((name, _)) = SCENES.iter().find(|(name, _)| *name == chosen.name)
         && !state.previews.contains_key(name)
     {
-        jobs::read(state, Wanted::Preview(name));
+        state.read(Wanted::Preview(name));
     }
 }

@@ -5,7 +5,6 @@ use std::sync::Arc;
 
 use assur_words::{name, text};
 
-use super::jobs;
 use super::write::home;
 use crate::screen::state::{
     Assembled, Change, Effect, OutputFile, PromptKind, Reading, Role, STEPS, Scene, Source, State, Wanted,
@@ -81,7 +80,7 @@ pub(super) fn ask(state: &mut State) {
     what.reading = Reading::Runs;
     let (edits, session, text) = (what.wanted.clone(), Arc::clone(&scene.session), what.changed_text());
     let change = Change { opening: what.opening, edits, session, text };
-    jobs::read(state, Wanted::Change(change));
+    state.read(Wanted::Change(change));
 }
 
 /// Another scene was opened, or the file was reread: changes are dropped, with a message.
@@ -157,7 +156,7 @@ pub(super) fn quit(state: &mut State) {
 
 pub(super) fn open(state: &mut State, source: Source) {
     if may_drop(state) {
-        jobs::read(state, Wanted::Open(source));
+        state.read(Wanted::Open(source));
     } else {
         let save = name(state.keys.first("save"));
         state.say(Role::Bad, text!("say-unsaved-open", save = save));

@@ -110,6 +110,11 @@ pub(crate) struct State {
 }
 
 impl State {
+    /// Asks the worker to read a scene.
+    pub(crate) fn read(&mut self, wanted: Wanted) {
+        self.effects.push(Effect::Work(Job::Read(wanted)));
+    }
+
     /// The state at the start: the menu, or a scene.
     pub(crate) fn new(scene: Option<Scene>, look: Look, commands: &'static [Command], keys: Keymap) -> Self {
         Self {
