@@ -144,9 +144,7 @@ fn add_load(mechanism: &mut Mechanism, kind: &str) {
 /// Turns the load round, which is the mistake that is planted.
 fn turn(mechanism: &mut Mechanism) {
     let negate = |table: &mut LawTable| table.rows.iter_mut().for_each(|row| row[1] *= -1.0);
-    for value in
-        mechanism.loads.iter_mut().filter_map(|load| assur_testkit::specimen::law_mut(&mut load.kind))
-    {
+    for value in mechanism.loads.iter_mut().filter_map(|load| load.kind.law_mut()) {
         match value {
             Value::Constant(value) => *value *= -1.0,
             Value::Table { table, .. } => negate(table),

@@ -9,6 +9,7 @@ mod drive;
 mod friction;
 mod inertia;
 mod key;
+mod law;
 mod load;
 mod name;
 mod numbers;
@@ -23,9 +24,8 @@ pub use drive::{
 pub use friction::{Friction, Middle, Surfaces};
 pub use inertia::{Inertia, VaryingInertia};
 pub use key::{Key, Step};
-pub use load::{
-    Balance, Brake, Contact, Direction, Force, LawTable, Load, LoadKind, Moment, Over, Shape, Spring, Value,
-};
+pub use law::{LawTable, Over, Shape, Value};
+pub use load::{Balance, Brake, Contact, Direction, Force, Load, LoadKind, Moment, Spring};
 pub use name::{Name, Named, appearance, likeness};
 pub use numbers::links_of_length_zero;
 pub use point::ReductionPoint;

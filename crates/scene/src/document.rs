@@ -11,7 +11,7 @@ pub use crate::walk::{Entry, Section};
 
 use crate::scan::{MOST_TABLES, excess};
 use crate::text::{is_unprintable, shown};
-use crate::{SceneErrors, error::Faults, walk::Known};
+use crate::{SceneErrors, error::Faults, known::Known};
 
 /// The greatest file that is read, in bytes: a scene has some kilobytes, a table of a hundred thousand rows some
 /// megabytes.

@@ -12,6 +12,7 @@ mod friction;
 mod inertia;
 mod input;
 mod joints;
+mod known;
 mod limits;
 mod linkage;
 mod links;
@@ -37,8 +38,9 @@ use assur_words::{Text, text};
 use context::Context;
 use edit::ParsedText;
 use error::{Fault, Faults};
+use known::Known;
 use linkage::SceneLinks;
-use walk::{Known, Section};
+use walk::Section;
 
 pub use error::{SceneError, SceneErrors};
 pub use reading::{Note, Reading, SceneNumber};

@@ -7,10 +7,11 @@ use assur_mechanism::{LawTable, LoadId, Over, Shape, Value};
 
 use assur_words::{Describe, Text, joined, number, text, unit};
 
+use crate::known::Known;
 use crate::reference::{Bound, table};
 use crate::text::{brief, in_quotes, rounded, shown, such_as};
 use crate::units::{Dimension, quantity, within};
-use crate::walk::{Entry, Known, Section};
+use crate::walk::{Entry, Section};
 use crate::{context::Context, error::Fault};
 
 /// What a table is over, as the scene names it; `None`: the stroke of a point.

@@ -13,6 +13,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use crate::error::{Fault, Faults};
+use crate::known::Known;
 use crate::reference::{self, KeyDefault, KeyTable, SceneKey, ValueKind};
 use crate::text::{did_you_mean, in_quotes, is_unprintable, nearest, row, shown};
 use crate::units::Dimension;
@@ -27,42 +28,6 @@ pub struct Section<'a> {
     pub(crate) span: Range<usize>,
     known: Known,
     pub(crate) faults: &'a Faults,
-}
-
-/// The keys that a table may have.
-#[derive(Debug, Clone, Copy)]
-pub(crate) enum Known {
-    /// Those of a file that is no scene.
-    Names(&'static [&'static str]),
-    /// Those of a table of the reference, of one of its sorts where the second is given.
-    Table(&'static KeyTable, Option<&'static str>),
-}
-
-impl Known {
-    fn names(self) -> Vec<&'static str> {
-        match self {
-            Self::Names(names) => names.to_vec(),
-            Self::Table(table, sort) => table.names(sort).collect(),
-        }
-    }
-
-    /// What is meant by a key that the table does not have: the known one, or the tables that have it.
-    fn meant(self, word: &str, known: &[&'static str]) -> Text {
-        let Self::Table(table, _) = self else {
-            return did_you_mean(word, nearest(word, known.iter().copied()));
-        };
-        if let Some(sorts) = table.sorts(word) {
-            return text!("scene-key-of-sorts", sorts = name(sorts));
-        }
-        let (also, elsewhere) = (table.meant(word).filter(|key| known.contains(key)), table.holders(word));
-        match also.or_else(|| nearest(word, known.iter().copied())) {
-            None if !elsewhere.is_empty() => {
-                text!("scene-key-elsewhere", tables = name(elsewhere.join(", ")))
-            }
-            None if reference::table("").key(word).is_some() => text!("scene-key-at-top"),
-            near => did_you_mean(word, near),
-        }
-    }
 }
 
 /// A value of the file.

@@ -240,8 +240,7 @@ fn turn(mechanism: &mut Mechanism, by: f64) {
 }
 
 fn stretch(mechanism: &mut Mechanism) {
-    for law in mechanism.loads.iter_mut().filter_map(|load| assur_testkit::specimen::law_mut(&mut load.kind))
-    {
+    for law in mechanism.loads.iter_mut().filter_map(|load| load.kind.law_mut()) {
         if let Value::Stroke { forward, .. } = law {
             forward.rows.iter_mut().for_each(|row| row[1] *= SLIP);
         }

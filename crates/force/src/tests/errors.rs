@@ -22,8 +22,7 @@ fn a_load_that_needs_a_motion() {
 #[test]
 fn a_point_without_a_stroke() {
     let text = error(|mechanism| {
-        let Some(Value::Stroke { axis, .. }) = assur_testkit::specimen::law_mut(&mut mechanism.loads[0].kind)
-        else {
+        let Some(Value::Stroke { axis, .. }) = mechanism.loads[0].kind.law_mut() else {
             panic!("the gas force is given over a stroke")
         };
         *axis = 0.0;

@@ -10,23 +10,10 @@ mod loads;
 mod recipe;
 mod write;
 
-use assur_mechanism::{Brake, Contact, Force, LoadKind, Moment, Value};
-
 pub use crate::Rng;
 pub use formula::{Terms, formula};
 pub use recipe::{Recipe, Specimen, kinds};
 pub use write::scene_text;
-
-/// The law of the size of a load, to be changed; a spring has none.
-pub fn law_mut(load: &mut LoadKind) -> Option<&mut Value> {
-    match load {
-        LoadKind::Force(Force { value, .. })
-        | LoadKind::Moment(Moment { value, .. })
-        | LoadKind::Brake(Brake { force: value, .. })
-        | LoadKind::Contact(Contact { force: value, .. }) => Some(value),
-        LoadKind::Spring(_) => None,
-    }
-}
 
 #[cfg(test)]
 mod tests;

@@ -72,7 +72,7 @@ fn inertias(m: &mut Mechanism, factor: f64) -> bool {
 /// Changes the laws of all loads of a kind; whether there is one.
 fn laws(m: &mut Mechanism, factor: f64, kind: fn(&LoadKind) -> bool) -> bool {
     let of_kind = m.loads.iter_mut().map(|load| &mut load.kind).filter(|load| kind(load));
-    of_kind.filter_map(assur_testkit::specimen::law_mut).map(|law| value(law, factor)).count() > 0
+    of_kind.filter_map(assur_mechanism::LoadKind::law_mut).map(|law| value(law, factor)).count() > 0
 }
 
 fn forces(m: &mut Mechanism, factor: f64) -> bool {
