@@ -188,6 +188,23 @@ impl<T: Number> Quick<'_, T> {
         }
     }
 
+    /// Puts a unit of each magnitude of friction, then of each normal force of a shifted face, on the links of a set of its own.
+    #[inline(always)]
+    fn load_units<'s, const N: usize>(
+        &self,
+        bearings: &Bearings<'_, T, N>,
+        mut sets: impl Iterator<Item = &'s mut [Wrench<T>]>,
+    ) where
+        T: 's,
+    {
+        for is_normal in [false, true] {
+            let units = bearings.each().iter().filter(|one| one.is_shifted || !is_normal);
+            for (one, set) in units.zip(sets.by_ref()) {
+                one.load(is_normal, T::ONE, self.bodies, set);
+            }
+        }
+    }
+
     /// The response of stages to their loads, to the friction of each unknown, and to inertia loads (none where these are empty).
     #[inline(always)]
     pub(crate) fn table<const N: usize, const C: usize>(
@@ -216,12 +233,7 @@ impl<T: Number> Quick<'_, T> {
             found.iter_mut().skip(pair).step_by(count).for_each(|reaction| *reaction = Wrench::ZERO);
             found[pair] = pairs[pair];
         }
-        let mut each = own.chunks_exact_mut(links).skip(1);
-        for is_normal in [false, true] {
-            for one in bearings.each().iter().filter(|one| one.is_shifted || !is_normal) {
-                one.load(is_normal, T::ONE, self.bodies, each.next()?);
-            }
-        }
+        self.load_units(bearings, own.chunks_exact_mut(links).skip(1));
         // The normal forces have their columns behind those of all sums.
         let last = if inertia.is_empty() { C } else { bearings.count + shifted };
         let columns = || {
