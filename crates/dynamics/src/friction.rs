@@ -110,7 +110,7 @@ impl Friction {
     pub(crate) fn enter(&mut self, loads: &Loads, state: &LoadState, piece: &mut Piece) {
         if let Some(friction) = &mut self.out.friction {
             loads.enter_friction(state, &mut friction.senses, piece);
-            friction.followed.1 = 0;
+            friction.followed.left = 0;
         }
         self.cut(state, &mut piece.coordinate);
         self.piece = piece.coordinate;

@@ -48,8 +48,8 @@ pub use choice::Phase;
 pub use construction::{Acting, Construction, ConstructionStep, Drawing, VectorKind};
 pub use error::{ForceError, LoadError, LoadFault};
 pub use friction::{
-    Accelerations, Bearing, Block, Doubt, FreeMotion, FrictionForces, FrictionIteration, FrictionSolution,
-    Frictions, Unknown, UnknownKind,
+    Accelerations, Bearing, Block, Doubt, Followed, FreeMotion, FrictionForces, FrictionIteration,
+    FrictionSolution, Frictions, Unknown, UnknownKind,
 };
 pub use group_by_group::{Unsolved, group_by_group, input_link};
 pub use joints::{Joint, JointReaction, joints};

@@ -21,7 +21,7 @@ mod motion;
 mod quick;
 
 use assur_force::{
-    Accelerations, AnalyzerPlugin, Doubt, ForceAnalyzer, ForceError, FreeMotion, FrictionAnalysis,
+    Accelerations, AnalyzerPlugin, Doubt, Followed, ForceAnalyzer, ForceError, FreeMotion, FrictionAnalysis,
     FrictionIteration, FrictionSolution, Reactions, group_by_group,
 };
 use assur_group::{AssurGroup, Wrench};
@@ -127,9 +127,9 @@ impl ForceAnalyzer for Friction {
         if let Some(only) = (Quick { linkage, groups, bodies }).accelerated(motion, out) {
             return Some(Ok(Accelerations { solutions: vec![only], proved: true }));
         }
-        let (known, left) = &out.friction.as_ref()?.followed;
+        let Followed { moduli, left } = &out.friction.as_ref()?.followed;
         let chain = Chain::of(linkage, position, out)?.moved_by(motion);
-        let near = if *left > 0 { chain.near(motion.loads, 1.0, known) } else { None };
+        let near = if *left > 0 { chain.near(motion.loads, 1.0, moduli) } else { None };
         let (branches, proved, left) = match near {
             Some(only) => (vec![only], false, left - 1),
             None => match chain.solutions(motion.loads, 1.0) {
@@ -139,8 +139,8 @@ impl ForceAnalyzer for Friction {
         };
         let solutions = branches.iter().map(|branch| chain.told(branch, false)).collect();
         let followed = match &branches[..] {
-            [only] => (only.moduli.clone(), left),
-            _ => (Vec::new(), 0),
+            [only] => Followed { moduli: only.moduli.clone(), left },
+            _ => Followed::default(),
         };
         if let Some(friction) = &mut out.friction {
             friction.followed = followed;

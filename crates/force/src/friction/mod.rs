@@ -54,8 +54,17 @@ pub struct FrictionForces<T = f64> {
     pub doubts: Vec<(usize, Doubt)>,
     /// Scratch of a method: one wrench for each body.
     pub loads: Vec<Wrench<T>>,
-    /// Scratch of a method: the magnitudes found last in a motion, and how many evaluations may follow them before others are looked for.
-    pub followed: (Vec<f64>, usize),
+    /// Memory of a method between the evaluations of a motion.
+    pub followed: Followed,
+}
+
+/// The only solution that was found in a motion, which is followed from one evaluation to the next.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Followed {
+    /// Its magnitudes of friction.
+    pub moduli: Vec<f64>,
+    /// How many evaluations may follow it before others are looked for again; 0: none.
+    pub left: usize,
 }
 
 /// A position with several solutions, or where there may be others.
@@ -130,7 +139,7 @@ impl<T: Real> FrictionForces<T> {
             certificates: vec![T::from_f64(f64::NAN); linkage.groups().len()],
             doubts: Vec::new(),
             loads: Vec::new(),
-            followed: (Vec::new(), 0),
+            followed: Followed::default(),
             frictions,
         }
     }

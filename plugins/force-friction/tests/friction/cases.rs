@@ -327,7 +327,7 @@ pub(super) fn with_friction(mut mechanism: Mechanism, strength: f64, dice: &mut 
     mechanism
 }
 
-const SCENES: [&str; 5] = ["shaper", "guide-shaper", "conveyor", "stephenson3", "andrews"];
+pub(super) const SCENES: [&str; 5] = ["shaper", "guide-shaper", "conveyor", "stephenson3", "andrews"];
 
 pub(super) fn fixture(name: &str) -> Mechanism {
     let path = format!("{}/../../fixtures/{name}.toml", env!("CARGO_MANIFEST_DIR"));

@@ -3,6 +3,8 @@
 #[cfg(test)]
 mod cases;
 #[cfg(test)]
+mod followed;
+#[cfg(test)]
 mod guides;
 #[cfg(test)]
 mod published;
