@@ -29,7 +29,6 @@ fn counted(progress: Progress) -> (Text, Option<[usize; 2]>) {
         Progress::Writing { done, total } => (text!("progress-writing"), Some([done, total])),
         Progress::Samples { done, total } => (text!("progress-instant"), Some([done, total])),
         Progress::Checks { done, total } => (text!("progress-checks"), Some([done, total])),
-        _ => (Text::default(), None),
     }
 }
 

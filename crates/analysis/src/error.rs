@@ -9,7 +9,6 @@ use crate::Stopped;
 
 /// Why a scene can't be calculated at all; what fails in one position only is part of the results.
 #[derive(Clone, PartialEq)]
-#[non_exhaustive]
 pub enum AnalysisError {
     /// The mechanism can't be compiled.
     Compile(CompileError),

@@ -38,7 +38,6 @@ pub(crate) fn step(watch: &mut Watch<'_>, progress: Progress) -> Result<(), Stop
 
 /// The piece of the calculation in work, and its progress.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
 pub enum Progress {
     /// The motion from an initial state is integrated.
     Motion {

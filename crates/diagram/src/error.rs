@@ -6,7 +6,6 @@ use assur_words::{Describe, Text, errors};
 
 /// Why there is no plan.
 #[derive(Clone, PartialEq)]
-#[non_exhaustive]
 pub enum DiagramError {
     /// The mechanism has no such position.
     Position(PositionError),

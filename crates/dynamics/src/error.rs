@@ -7,7 +7,6 @@ use assur_words::{Describe, Text, name, number, quantity, text};
 
 /// What went wrong, where, and what to do.
 #[derive(Clone)]
-#[non_exhaustive]
 pub enum DynamicsError {
     /// The scene defines no such motion.
     NoMotion(&'static str),

@@ -16,7 +16,6 @@ pub struct LoadError {
 
 /// Why a load can't be compiled, or has no value.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub enum LoadFault {
     /// It has no size without a motion; the part of the load that needs one.
     NeedsMotion(Text),
@@ -96,7 +95,6 @@ impl LoadError {
 
 /// Why there are no reactions. Names the coordinate; the caller adds the number of the position.
 #[derive(Clone, PartialEq)]
-#[non_exhaustive]
 pub enum ForceError {
     /// Two ways of a group meet there (the coordinate, rad or m).
     ChangePoint(f64),

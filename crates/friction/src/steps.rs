@@ -35,20 +35,10 @@ impl Moduli {
         if steps.is_contraction() { steps.follow(&vec![0.0; self.count()]) } else { None }
     }
 
-    /// Greatest residual |z - |a + W z|| as part of the greatest term.
-    pub fn residual(&self, z: &[f64]) -> f64 {
-        Steps::new(self).residual(z)
-    }
-
     /// The solution to which the textbook iteration and then Newton's method lead, from some magnitudes; `None` where they lead
     /// to none. Where the [certificate](Self::certificate) is below 1 this is the only one.
     pub fn follow(&self, start: &[f64]) -> Option<Vec<f64>> {
         Steps::new(self).follow(start)
-    }
-
-    /// Newton's method from some magnitudes; `None` where it leads to no solution. Magnitudes of a solution are not negative.
-    pub fn newton(&self, start: &[f64]) -> Option<Vec<f64>> {
-        Steps::new(self).newton(start)
     }
 
     /// The solution near expected magnitudes; `None` where there is none so near that a path goes on there.
@@ -124,7 +114,7 @@ impl<'a> Steps<'a> {
         off
     }
 
-    /// As [`Moduli::residual`].
+    /// Greatest residual |z - |a + W z|| as part of the greatest term.
     #[inline(always)]
     pub(crate) fn residual(&mut self, z: &[f64]) -> f64 {
         let off = self.look(z);
@@ -151,7 +141,7 @@ impl<'a> Steps<'a> {
         self.newton(&z)
     }
 
-    /// As [`Moduli::newton`].
+    /// Newton's method from some magnitudes; `None` where it leads to no solution. Magnitudes of a solution are not negative.
     pub(crate) fn newton(&mut self, start: &[f64]) -> Option<Vec<f64>> {
         self.newton_within(MOST_NEWTON, start, |_| true)
     }

@@ -5,7 +5,6 @@ use assur_words::{Describe, Text, millimeters, number, text};
 
 /// Why a group has no solution at one position. The chain adds the group, the position and the coordinate.
 #[derive(Clone, Copy, PartialEq)]
-#[non_exhaustive]
 pub enum GroupError {
     /// The links are too short, or too unequal, to meet.
     NoAssembly {

@@ -7,7 +7,6 @@ use crate::{Dependence, MotionError, State, Until, integrators};
 
 /// Why there is no trajectory.
 #[derive(Clone)]
-#[non_exhaustive]
 pub enum IntegrationError {
     /// The request itself is impossible (what is wrong and what is allowed).
     Request(Text),

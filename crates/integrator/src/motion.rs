@@ -228,7 +228,6 @@ pub trait EquationOfMotion {
 
 /// Why the equation has no value at a state.
 #[derive(Clone)]
-#[non_exhaustive]
 pub enum MotionError {
     /// The reduced inertia is zero or negative, kg m² (kg).
     Inertia(f64),

@@ -154,7 +154,6 @@ impl From<Node> for Sample {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, strum::Display)]
 #[serde(rename_all = "lowercase")]
 #[strum(serialize_all = "lowercase")]
-#[non_exhaustive]
 pub enum EventKind {
     /// A bound of a piece along the coordinate was reached: a row of a table, a contact.
     Coordinate,

@@ -7,7 +7,6 @@ use assur_words::{Describe, Text, joined, list, name, text};
 
 /// Why a mechanism can't be compiled.
 #[derive(Clone, PartialEq)]
-#[non_exhaustive]
 pub enum CompileError {
     /// The mechanism can't be decomposed into groups.
     Structure(StructureError),

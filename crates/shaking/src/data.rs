@@ -120,7 +120,6 @@ pub struct AtPosition {
 }
 
 /// Why the shaking force of a scene is not found.
-#[non_exhaustive]
 pub enum ShakingError {
     /// The positions are no closed cycle.
     NoCycle,

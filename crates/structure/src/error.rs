@@ -8,7 +8,6 @@ use crate::Mobility;
 
 /// Why a mechanism can't be decomposed into groups.
 #[derive(Clone, PartialEq)]
-#[non_exhaustive]
 pub enum StructureError {
     /// Some links can move while the input is fixed.
     Loose {

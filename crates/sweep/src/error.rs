@@ -5,7 +5,6 @@ use assur_words::{Describe, Text, name, text};
 
 /// Why a sweep can't begin, or has no row to write. What is wrong at one point is part of the table.
 #[derive(Clone, PartialEq)]
-#[non_exhaustive]
 pub enum SweepError {
     /// The scene itself is faulty.
     Scene(SceneErrors),

@@ -48,7 +48,6 @@ pub struct Working {
 
 /// Why there is no working.
 #[derive(Clone, PartialEq)]
-#[non_exhaustive]
 pub enum WorkingError {
     /// There is no such position.
     Index {

@@ -6,7 +6,6 @@ use super::Residual;
 
 /// What a number measures.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[non_exhaustive]
 pub enum Quantity {
     /// Time from the start of the motion.
     Time,
@@ -82,7 +81,6 @@ pub enum Quantity {
 
 /// What a number belongs to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[non_exhaustive]
 pub enum Owner {
     /// The input link, to which the whole mechanism is reduced.
     Input,

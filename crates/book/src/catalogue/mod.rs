@@ -52,8 +52,6 @@ macro_rules! rows {
                 $(($quantity, $owner) => {
                     Entry { name: $name, symbol: $symbol, measure: $measure, json: $json, csv: $csv, sense: $sense }
                 })*
-                // A quantity that a later family brings has a row of its own here before it is shown.
-                _ => Entry { name: "", symbol: "", measure: M::In(Unit::NONE), json: "", csv: "", sense: PLAIN },
             }
         }
     };

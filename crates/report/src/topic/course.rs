@@ -180,7 +180,6 @@ fn words_of(kind: EventKind) -> Text {
         EventKind::Held => text!("event-held"),
         EventKind::Release => text!("event-release"),
         EventKind::Face => text!("event-face"),
-        other => name(other.to_string()),
     }
 }
 

@@ -9,7 +9,6 @@ pub(crate) type Powers = [i32; 4];
 /// A kind of quantity.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, strum::VariantArray, strum::EnumString)]
 #[strum(serialize_all = "kebab-case")]
-#[non_exhaustive]
 pub enum Dimension {
     /// A plain number.
     Number,

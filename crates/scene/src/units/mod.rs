@@ -26,7 +26,6 @@ pub struct UnitError {
 
 /// What is wrong with a text that should be a quantity.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub enum UnitFault {
     /// It does not begin with a number.
     NotANumber,

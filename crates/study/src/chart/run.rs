@@ -25,7 +25,6 @@ const QUICK_RUN: f64 = 0.1;
 
 /// Why a scene has no chart; the failure of one method is in its row.
 #[derive(Clone)]
-#[non_exhaustive]
 pub enum ChartError {
     /// The groups can't be built in another number type.
     Compile(CompileError),
