@@ -38,6 +38,7 @@ pub(super) fn document(context: &Context<'_>) -> Result<Document, Text> {
     for part in [task, structure, kinematics, forces::forces, dynamics, formula::energy] {
         part(context, &mut page);
     }
+    context.tell(&mut page, &[topic::further]);
     formula::working(context, &mut page)?;
     checks(context, &mut page);
     limits(context, &mut page);

@@ -272,6 +272,7 @@ report-input = Input
 report-links-rates = Angular velocities (ω) and accelerations (ε) of the links
 report-points-rates = Velocities and accelerations of the points
 report-slides-rates = Relative velocities and accelerations of the slides
+report-further = Further quantities
 report-condition = Condition of the groups
 report-condition-text = 1 / (dimensionless determinant): 1 is the best possible; errors of PF1 grow with it, those of PF2 with its square; infinite at a singular position.
 report-group-number = group { $number }

@@ -131,6 +131,22 @@ fn numbers_that_are_not_finite_are_never_written() {
 }
 
 #[test]
+fn a_quantity_of_which_no_topic_tells_stands_in_the_text() {
+    let mut schema = Schema::new(&mechanism());
+    let efficiency = Column::of(Quantity::Efficiency, Owner::Input);
+    schema.add(Section::ALWAYS, [Column::COORDINATE, efficiency]);
+    let mut positions = Table::new(Arc::new(schema));
+    positions.push(0, [0.0, 0.375].map(Some));
+    // Without friction nothing tells of efficiencies.
+    let analysis = Analysis { positions, ..analysis(1.5) };
+    let scene = assur_scene::read("shaper", assur_fixtures::scene("shaper")).unwrap();
+    let linkage = assur_kinematics::Linkage::compile(scene).unwrap();
+    let text = crate::text::report(&analysis, &linkage, None, crate::text::Style::english()).unwrap();
+    let (_, further) = text.split_once("Further quantities").unwrap();
+    assert!(further.contains("efficiency") && further.contains("0.375"), "{further}");
+}
+
+#[test]
 fn csv_reads_back() {
     let analysis = analysis(1.5);
     let sheets = of_positions(&analysis, false);

@@ -176,6 +176,7 @@ fn components(source: &Source<'_>, force: Values) -> Vec<Column> {
 pub fn loads(source: &Source<'_>, page: &mut Document) {
     let schema = source.positions.schema();
     let (loads, links) = (schema.owners(Quantity::Load), schema.owners(Quantity::InertiaForce));
+    let shaking = wrench(source, Quantity::ShakingForce, Quantity::ShakingMoment, Owner::Input);
     if source.positions.is_empty() || loads.is_empty() && links.is_empty() {
         return;
     }
@@ -187,7 +188,6 @@ pub fn loads(source: &Source<'_>, page: &mut Document) {
     }
     inertia_loads(source, page);
     if !links.is_empty() {
-        let shaking = wrench(source, Quantity::ShakingForce, Quantity::ShakingMoment, Owner::Input);
         page.table(Table::over(text!("report-shaking-table"), source.keys(), shaking));
     }
 }

@@ -16,8 +16,10 @@ mod regime;
 mod shaking;
 mod structure;
 
+use std::cell::RefCell;
+
 use assur_analysis::results::{Analysis, Column as Values, Owner, Quantity, Table};
-use assur_book::{Column, Document, Unit, catalogue};
+use assur_book::{Column, Document, Group, Unit, catalogue};
 use assur_kinematics::Linkage;
 use assur_mechanism::Mechanism;
 use assur_words::{Text, name, text};
@@ -49,6 +51,8 @@ pub struct Source<'a> {
     mechanism: &'a Mechanism,
     /// Those that are shown of the positions.
     positions: Table,
+    /// The quantities of which a topic has told.
+    told: RefCell<Vec<Quantity>>,
     /// Whether the coordinate of the input is an angle.
     angular: bool,
 }
@@ -59,7 +63,8 @@ impl<'a> Source<'a> {
         let all = &analysis.positions;
         let positions =
             positions.map_or_else(|| all.clone(), |list| all.only(|number| list.contains(&number)));
-        Self { analysis, linkage, mechanism: &linkage.mechanism, positions, angular: analysis.input.angular }
+        let (mechanism, angular) = (&linkage.mechanism, analysis.input.angular);
+        Self { analysis, linkage, mechanism, positions, told: RefCell::default(), angular }
     }
 
     /// The unit of the coordinate of the input.
@@ -80,6 +85,7 @@ impl<'a> Source<'a> {
 
     /// The same with a head of its own.
     fn headed(&self, head: Text, values: Values) -> Column {
+        self.told.borrow_mut().push(values.quantity);
         column(&self.positions, head, values)
     }
 
@@ -114,6 +120,25 @@ fn column(table: &Table, head: Text, values: Values) -> Column {
     Column::numbers(head, catalogue::unit(table.schema(), values), each(table, values))
 }
 
+/// The topics that tell of all positions and of the motion, in the order of the report.
+const TOPICS: [fn(&Source<'_>, &mut Document); 15] = [
+    shown_positions,
+    positions,
+    transfer,
+    rates,
+    no_motion,
+    motion_over_time,
+    regime,
+    loads,
+    reduction,
+    reactions,
+    balancing,
+    friction,
+    causes,
+    contacts,
+    condition,
+];
+
 /// The whole report: first the results that are asked for first, then the tables.
 pub fn report(source: &Source<'_>) -> Document {
     let mut page = Document::default();
@@ -129,12 +154,11 @@ pub fn report(source: &Source<'_>) -> Document {
     dimensions(source, &mut page);
     loads_given(source, &mut page);
     motion_given(source, &mut page);
-    for topic in [shown_positions, positions, transfer, rates, no_motion, motion_over_time, regime] {
+    for topic in TOPICS {
         topic(source, &mut page);
     }
-    for topic in [loads, reduction, reactions, balancing, friction, causes, contacts, condition, remarks] {
-        topic(source, &mut page);
-    }
+    further(source, &mut page);
+    remarks(source, &mut page);
     if !analysis.checks.is_empty() {
         page.heading(text!("report-checks"));
         checks(&analysis.checks, &mut page);
@@ -146,6 +170,33 @@ pub fn report(source: &Source<'_>) -> Document {
         plans(&found.sheet, &mut page);
     }
     page
+}
+
+/// The quantities of the shown positions of which no topic tells.
+pub fn further(source: &Source<'_>, page: &mut Document) {
+    if source.told.borrow().is_empty() {
+        for topic in TOPICS {
+            topic(source, &mut Document::default());
+        }
+    }
+    let (schema, told) = (source.positions.schema(), source.told.borrow().clone());
+    let is_new = |column: &&Values| {
+        let is_residual = matches!(column.quantity, Quantity::Residual(_));
+        column.cause.is_none() && !is_residual && !told.contains(&column.quantity)
+    };
+    let left: Vec<Values> = schema.columns().iter().filter(is_new).copied().collect();
+    if source.positions.is_empty() || left.is_empty() {
+        return;
+    }
+    page.heading(text!("report-further"));
+    for of_quantity in left.chunk_by(|one, next| one.quantity == next.quantity) {
+        let group = |of_owner: &[Values]| Group {
+            owner: catalogue::owner(schema, of_owner[0]),
+            columns: of_owner.iter().map(|values| source.column(*values)).collect(),
+        };
+        let groups = of_quantity.chunk_by(|one, next| one.owner == next.owner).map(group);
+        page.table(source.table(catalogue::kind(of_quantity[0]), text!("head-of"), groups));
+    }
 }
 
 fn regime(source: &Source<'_>, page: &mut Document) {
