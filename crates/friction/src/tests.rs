@@ -33,7 +33,7 @@ fn by_trial(system: &Moduli, dice: &mut Dice) -> Vec<Vec<f64>> {
     let mut found: Vec<Vec<f64>> = Vec::new();
     for _ in 0..600 {
         let start: Vec<f64> = (0..system.count()).map(|_| 100.0 * (6.0 * dice.next()).exp()).collect();
-        let Some(z) = Steps::new(&system).newton(&start) else { continue };
+        let Some(z) = Steps::new(system).newton(&start) else { continue };
         let size = z.iter().fold(1e-300, |most: f64, z| most.max(*z));
         let far = |known: &Vec<f64>| known.iter().zip(&z).any(|(a, b)| (a - b).abs() > 1e-7 * size);
         if found.iter().all(far) {
