@@ -343,7 +343,7 @@ say-offer = ; did you mean `{ $offer }`?
 say-no-scene = no scene is open; Enter opens the chosen one
 say-setting = `{ $setting }` takes { $allowed }, not `{ $value }`
 setting-range = { $from } to { $to }
-say-not-found = `{ $text }` was not found
+say-not-found = `{ $text }` was not found{ $offer }
 say-too-long = no more than { $most } bytes are taken; the rest was left out
 say-motors = `:motors` wants a power and a speed, such as `:motors 1.5 kW, 1500 rpm`
 say-no-motor-drive = the scene has no drive with a motor: add motor = "auto" to [drive]

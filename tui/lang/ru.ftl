@@ -318,7 +318,7 @@ say-offer = ; может быть, `{ $offer }`?
 say-no-scene = ни одной сцены не открыто; Enter открывает выбранную
 say-setting = `{ $setting }` принимает { $allowed }, а не `{ $value }`
 setting-range = от { $from } до { $to }
-say-not-found = `{ $text }` не найдено
+say-not-found = `{ $text }` не найдено{ $offer }
 say-too-long = берётся не более { $most } байтов; остальное отброшено
 say-motors = `:motors` требует мощности и скорости, например `:motors 1.5 kW, 1500 rpm`
 say-no-motor-drive = у сцены нет привода с двигателем: добавьте motor = "auto" в [drive]

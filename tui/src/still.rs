@@ -10,6 +10,8 @@ use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use strum::VariantNames;
 
+use crate::screen::suggestion;
+
 /// Width and height of a page, mm: what A4 leaves between its margins, in a good ratio.
 pub(crate) const PAGE: [f64; 2] = [160.0, 120.0];
 
@@ -25,7 +27,7 @@ pub(crate) struct PictureArgs {
     #[arg(long, value_name = "NAME")]
     pub(crate) part: Option<String>,
     /// Quantity, pair, link, group or method of a construction that is shown, found as by `/` in the terminal UI; several
-    /// quantities with commas between them lie over each other
+    /// quantities or reactions with commas between them lie over each other
     #[arg(long, value_name = "NAME")]
     pub(crate) show: Option<String>,
     /// Step up to which a construction is drawn, counted from 1; without it, all steps
@@ -166,15 +168,23 @@ fn choose(
         look.position = position(results, number)?;
         return Ok(picked);
     }
-    let is_curves = request.view == Picture::Curves;
-    let all: Vec<&str> = if is_curves { sought.split(',').collect() } else { vec![sought] };
+    let (is_curves, is_forces) = (request.view == Picture::Curves, request.view == Picture::Forces);
+    let all: Vec<&str> = if is_curves || is_forces { sought.split(',').collect() } else { vec![sought] };
     for one in &all {
         look.column = 0;
         let found = look.choose(results, (request.view, part), one.trim(), |text| text.render(language));
-        found.ok_or_else(|| text!("say-not-found", text = name(one.trim().to_owned())))?;
-        if is_curves && (all.len() > 1 || results.transfer_of(look.column).is_none()) {
-            picked.extend(results.column(look.column).map(|series| series.short.clone()));
-        }
+        found.map_err(|known| {
+            let offer = suggestion(one.trim(), &known);
+            text!("say-not-found", text = name(one.trim().to_owned()), offer)
+        })?;
+        // The last series of a reaction is its modulus.
+        let modulus = || results.found.as_ref()?.reactions.get(look.reaction)?.series.last().copied();
+        let column = match modulus() {
+            Some(index) if is_forces && all.len() > 1 => Some(results.series.len() + index),
+            _ => Some(look.column)
+                .filter(|column| is_curves && (all.len() > 1 || results.transfer_of(*column).is_none())),
+        };
+        picked.extend(column.and_then(|column| Some(results.column(column)?.short.clone())));
     }
     Ok(picked)
 }
@@ -198,6 +208,8 @@ fn step_of(results: &Results, look: &Look<'_>, of: (Picture, ViewPart), step: us
 
 /// A picture says of which scene and position it is.
 fn figure(results: &Results, view: Picture, look: &Look<'_>, part: ViewPart) -> Result<Figure, StillError> {
+    // Several reactions lie over each other as curves.
+    let view = if look.picked.len() > 1 { Picture::Curves } else { view };
     let figure = if view.is_in(results) { view.figure(results, look, part) } else { Figure::default() };
     if figure.panels.is_empty() {
         return Err(StillError::Nothing(view.missing(results, look, part).0));

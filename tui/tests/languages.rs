@@ -118,6 +118,14 @@ fn without_options(text: &str) -> String {
     parts.map(behind).fold(first, |all, part| all + " " + &part)
 }
 
+/// Whether a word consists of known ones, with dots of a chart in characters between or beside them.
+fn is_made_of(word: &str, known: &BTreeSet<String>) -> bool {
+    let mut dots = word.match_indices('o');
+    word.is_empty()
+        || known.contains(word)
+        || dots.any(|(at, _)| is_made_of(&word[..at], known) && is_made_of(&word[at + 1..], known))
+}
+
 /// The English words that a command prints in both languages, each with the command.
 fn printed(folder: &Path, command: &[&str], known: &BTreeSet<String>) -> Vec<String> {
     let mut found = Vec::new();
@@ -139,9 +147,7 @@ fn printed(folder: &Path, command: &[&str], known: &BTreeSet<String>) -> Vec<Str
         let told = without_options(&told.collect::<Vec<_>>().join("\n"));
         // The symbol of a load has its name below; dots of a chart in characters touch names.
         let words = english(&told, |word| {
-            word.split("oo").all(|part| part.is_empty() || known.contains(part.trim_matches('o')))
-                || known.contains(word)
-                || word.split('_').all(|part| part.len() < 2 || known.contains(part))
+            is_made_of(word, known) || word.split('_').all(|part| part.len() < 2 || known.contains(part))
         });
         found.extend(words.into_iter().map(|word| format!("{language} {command:?}: {word}")));
     }

@@ -122,7 +122,7 @@ fn over_cycle(context: &Context<'_>, page: &mut Document) {
     let balancing = found.reactions.iter().position(|reaction| reaction.of.is_none());
     let of = most.map(|index| found.reactions[index].name.clone()).unwrap_or_default();
     let balance = balancing.and_then(|index| found.reactions[index].series.first());
-    let symbol = balance.map(|index| unit(found.series[*index].unit.clone()));
+    let symbol = balance.map(|index| unit(found.series[*index].unit.name));
     // All of them together, as L fig. 2 has them.
     for picked in moduli.chunks(MOST_REACTIONS) {
         let together = curves::figure(results, &Look { picked, ..context.first() });

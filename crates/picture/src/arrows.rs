@@ -106,9 +106,9 @@ pub fn scales(results: &Results, look: &Look<'_>) -> Vec<(Text, Text, f64, (Stro
             (false, 1) => text!("arrow-first"),
             (false, _) => text!("arrow-second"),
         };
-        let Series { unit, factor, .. } = series_of(results, order).next()?;
-        let round = round_length(TOLD * most(results, order) * factor) / factor;
-        let size = quantity(plain(round * factor), unit.clone());
+        let unit = series_of(results, order).next()?.unit;
+        let round = round_length(TOLD * most(results, order) * unit.factor) / unit.factor;
+        let size = quantity(plain(round * unit.factor), unit.name);
         Some((what, size, round * length(results, order)?, look_of(order)))
     };
     orders(look).iter().filter_map(scale).collect()

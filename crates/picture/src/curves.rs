@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use assur_analysis::results::{Owner, Quantity};
-use assur_book::catalogue;
+use assur_book::{Unit, catalogue};
 use assur_figure::number::number;
 use assur_figure::{Figure, Frame, Ink, Item, Key, Panel, Point, Sample, Sign, Stroke};
 use assur_words::{Text, joined, list, name, quantity, text};
@@ -43,14 +43,14 @@ pub fn figure(results: &Results, look: &Look<'_>) -> Figure {
 
 fn panel(results: &Results, look: &Look<'_>, orders: [usize; 3], order: usize, ink: Ink) -> Panel {
     let series = &results.series[orders[order]];
-    let mut value = quantity(series.bare(look.position), series.unit.clone());
+    let mut value = quantity(series.bare(look.position), series.unit.name);
     let mut curves = vec![(series, Stroke::Solid, ink)];
     if let Some(compared) = look.compared
         && let Some(other) = compared.series(series)
     {
         curves.push((other, stroke_of(compared), Ink::Text));
         let difference = compared.difference(series, look.position).unwrap_or(f64::NAN);
-        let difference = quantity(number(difference), series.unit.clone());
+        let difference = quantity(number(difference), series.unit.name);
         value = joined("", [value, name("   1 - 2: "), difference]);
     }
     let (_, factor) = coordinate_unit(&results.linkage);
@@ -58,7 +58,7 @@ fn panel(results: &Results, look: &Look<'_>, orders: [usize; 3], order: usize, i
     for (derivative, (sign, _)) in orders[order..].iter().zip(SIGNS) {
         for at in results.series[*derivative].course.zeros() {
             let value = if sign == Sign::Cross { Some(0.0) } else { series.course.between(at) };
-            let sign = |value| Item::sign([factor * at, series.factor * value], sign, Ink::Text);
+            let sign = |value| Item::sign([factor * at, series.unit.factor * value], sign, Ink::Text);
             signs.extend(value.map(sign));
         }
     }
@@ -102,8 +102,7 @@ pub fn picked(results: &Results, look: &Look<'_>) -> Vec<Series> {
 fn in_radians(series: &Series) -> Series {
     let is_angle =
         matches!((series.column.quantity, series.column.owner), (Quantity::Transfer(0), Owner::Link(_)));
-    let unit = if is_angle { "rad".to_owned() } else { series.unit.clone() };
-    Series { unit, factor: if is_angle { 1.0 } else { series.factor }, ..series.clone() }
+    Series { unit: if is_angle { Unit::si("rad") } else { series.unit }, ..series.clone() }
 }
 
 /// Relative size of a change that is rounding.
@@ -112,7 +111,7 @@ const CONSTANT: f64 = 1e-9;
 /// A panel for each unit, with a ring at the greatest and the least value of each curve; the curves of each follow each other in their
 /// strokes. Several have numbers, under which the legend has their units and their values at the position.
 pub(crate) fn together(results: &Results, look: &Look<'_>, all: &[&Series]) -> Figure {
-    let units: Vec<&str> = all.iter().map(|series| without_radians(&series.unit)).collect();
+    let units: Vec<&str> = all.iter().map(|series| without_radians(series.unit.name)).collect();
     let style = |number: usize| {
         let before = units[..number].iter().filter(|unit| **unit == units[number]).count();
         STYLES[before % STYLES.len()]
@@ -155,10 +154,10 @@ fn panel_of_unit(results: &Results, look: &Look<'_>, all: &[&Series], own: &[(us
         let series = all[number];
         curves.extend(befores[number].iter().map(|before| (before, Stroke::Dotted, Ink::Trace)));
         curves.push((series, stroke, ink));
-        let place = |[at, value]: Point| [coordinate * at, series.factor * value];
+        let place = |[at, value]: Point| [coordinate * at, series.unit.factor * value];
         if let Some(ends) = series.course.highest_and_lowest() {
             // A course that is constant to its rounding has no extremes.
-            if series.factor * (ends[0][1] - ends[1][1]) > series.least().max(CONSTANT * series.size()) {
+            if series.unit.factor * (ends[0][1] - ends[1][1]) > series.least().max(CONSTANT * series.size()) {
                 signs.extend(ends.map(|end| Item::sign(place(end), Sign::Ring, Ink::Text)));
             }
             if all.len() > 1 {
@@ -171,7 +170,7 @@ fn panel_of_unit(results: &Results, look: &Look<'_>, all: &[&Series], own: &[(us
         }
         names.push(plots::numbered(number, series.told()));
     }
-    let units = curves.iter().map(|(series, ..)| series.unit.as_str()).filter(|unit| !unit.is_empty());
+    let units = curves.iter().map(|(series, ..)| series.unit.name).filter(|unit| !unit.is_empty());
     let units = list(different(units).into_iter().map(|symbol| assur_words::unit(symbol.to_owned())));
     // The value at the cursor stands in the legend of several, else in the heading.
     let heading = match all {

@@ -1,36 +1,96 @@
-//! What is looked for by its name: reactions, plans, quantities, rows of a list. `told` makes words of a text.
+//! What is looked for by its name: reactions, plans, quantities, rows of a list.
 
+use assur_analysis::results::Schema;
+use assur_book::catalogue;
 use assur_words::Text;
 
-use crate::{Found, Look, Picture, Plans, Reaction, Results, ViewPart};
+use crate::{Look, Picture, Reaction, Results, Series, ViewPart};
 
 impl Look<'_> {
-    /// Chooses what a part of a picture shows by its name, the next one behind what is chosen now; `None` if there is nothing of this
-    /// name.
+    /// Chooses what a part of a picture shows by its name, the next one behind what is chosen now; `told` makes words of a text.
+    ///
+    /// # Errors
+    ///
+    /// All names by which something can be found, where nothing has this one.
     pub fn choose(
         &mut self,
         results: &Results,
-        (picture, part): (Picture, ViewPart),
+        shown: (Picture, ViewPart),
         sought: &str,
         told: impl Fn(&Text) -> String,
-    ) -> Option<()> {
-        let (found, wanted) = (results.found.as_deref(), sought.to_lowercase());
-        let plans = || Some(found?.plans.at(self.position));
-        match (picture, part) {
-            (Picture::Forces, _) => self.reaction = reaction(found?, self.reaction, &wanted)?,
-            (Picture::Plans, ViewPart::Construction) => self.step = step(&*plans()?, &wanted, told)?,
-            (Picture::Plans, ViewPart::Forces) => self.polygon = polygon(&*plans()?, &wanted, told)?,
-            (Picture::Plans, _) => return None,
-            (Picture::Structure, _) => {
-                let names: Vec<String> = results.group_names().iter().map(told).collect();
-                self.group = row(&names, self.group, sought)?;
+    ) -> Result<(), Vec<String>> {
+        let names = self.names(results, shown, &told);
+        let steps = results.found.as_ref().map(|found| found.plans.at(self.position));
+        let now = match shown {
+            (Picture::Forces, _) => self.reaction,
+            (Picture::Plans, ViewPart::Forces) => self.polygon,
+            (Picture::Structure, _) => self.group,
+            // The first construction of a name.
+            (Picture::Plans, _) => names.len().saturating_sub(1),
+            _ => self.column,
+        };
+        let Some(index) = by_name(&names, now, sought) else {
+            return Err(names.into_iter().flatten().collect());
+        };
+        match shown {
+            (Picture::Forces, _) => self.reaction = index,
+            (Picture::Plans, ViewPart::Forces) => self.polygon = index,
+            (Picture::Structure, _) => self.group = index,
+            (Picture::Plans, _) => {
+                // With all its steps.
+                self.step = steps.and_then(|plans| plans.steps_of(index).last()).unwrap_or_default();
             }
             _ => {
-                self.column = column(results, self.column, &wanted, told)?;
-                self.transfer = results.transfer_of(self.column).unwrap_or(self.transfer);
+                self.column = index;
+                self.transfer = results.transfer_of(index).unwrap_or(self.transfer);
             }
         }
-        Some(())
+        Ok(())
+    }
+
+    /// The names of what a part of a picture can show, each with all of its own: in words, as the head of a table, as in files.
+    fn names(
+        &self,
+        results: &Results,
+        (picture, part): (Picture, ViewPart),
+        told: &dyn Fn(&Text) -> String,
+    ) -> Vec<Vec<String>> {
+        let found = results.found.as_deref();
+        let plans = found.map(|found| found.plans.at(self.position));
+        match (picture, part) {
+            (Picture::Forces, _) => {
+                let series = |index: &usize| found.map(|found| found.series[*index].short.clone());
+                let names = |reaction: &Reaction| {
+                    let of = reaction.of.iter().flat_map(|(pair, link)| [pair.to_string(), link.to_string()]);
+                    let columns = reaction.series.iter().chain(&reaction.moment).filter_map(series);
+                    of.chain([told(&reaction.name)]).chain(columns).collect()
+                };
+                found.iter().flat_map(|found| &found.reactions).map(names).collect()
+            }
+            (Picture::Plans, ViewPart::Construction) => {
+                let all = plans.iter().flat_map(|plans| &plans.constructions);
+                all.map(|(method, drawn)| vec![(*method).to_owned(), told(&drawn.title)]).collect()
+            }
+            (Picture::Plans, ViewPart::Forces) => {
+                let sheet = plans.as_ref().and_then(|plans| plans.sheet.as_ref().ok());
+                let all = sheet.iter().flat_map(|sheet| &sheet.polygons);
+                all.map(|polygon| vec![told(&polygon.title)]).collect()
+            }
+            (Picture::Plans, _) => Vec::new(),
+            (Picture::Structure, _) => results.group_names().iter().map(|name| vec![told(name)]).collect(),
+            _ => {
+                let schema = match found {
+                    Some(found) => found.analysis.positions.schema(),
+                    None => &Schema::new(&results.linkage.mechanism),
+                };
+                let in_files = |series: &Series| catalogue::csv(schema, series.column);
+                let names = |series: &Series| {
+                    let told = [told(&series.of), told(&series.head), told(&series.told())];
+                    told.into_iter().chain([series.short.clone()]).chain(in_files(series)).collect()
+                };
+                results.columns().map(names).collect()
+            }
+        }
     }
 }
 
@@ -39,62 +99,23 @@ pub fn next(now: usize, count: usize, fits: impl Fn(usize) -> bool) -> Option<us
     (1..=count).map(|step| (now + step) % count).find(|index| fits(*index))
 }
 
-/// The next reaction of a pair of this name, else one whose pair or link begins with it.
-fn reaction(found: &Found, now: usize, wanted: &str) -> Option<usize> {
-    let names = |reaction: &Reaction| {
-        reaction.of.as_ref().map(|(pair, link)| [pair.to_lowercase(), link.to_lowercase()])
-    };
-    let after = |fits: &dyn Fn(&[String; 2]) -> bool| {
-        next(now, found.reactions.len(), |index| names(&found.reactions[index]).as_ref().is_some_and(fits))
-    };
-    after(&|[pair, _]| pair == wanted)
-        .or_else(|| after(&|names| names.iter().any(|name| name.starts_with(wanted))))
-}
-
-/// The last step of the construction of a force analyzer.
-fn step(plans: &Plans, wanted: &str, told: impl Fn(&Text) -> String) -> Option<usize> {
-    let same = plans.constructions.iter().position(|(method, _)| *method == wanted);
-    let mut all = plans.constructions.iter();
-    plans.steps_of(same.or_else(|| all.position(|(_, drawn)| contains(&told(&drawn.title), wanted)))?).last()
-}
-
-/// The force polygon of a group.
-fn polygon(plans: &Plans, wanted: &str, told: impl Fn(&Text) -> String) -> Option<usize> {
-    let polygons = plans.sheet.as_ref().map_or(&[][..], |sheet| &sheet.polygons);
-    polygons.iter().position(|polygon| contains(&told(&polygon.title), wanted))
-}
-
-fn contains(text: &str, wanted: &str) -> bool {
-    text.to_lowercase().contains(wanted)
-}
-
-/// The quantity of a name: the one with just this name, or else the next one in whose name it occurs.
-fn column(results: &Results, now: usize, wanted: &str, told: impl Fn(&Text) -> String) -> Option<usize> {
-    let names = |column: usize| {
-        let series = results.column(column)?;
-        let names = [told(&series.of), told(&series.head), series.short.clone()];
-        Some(names.map(|name| name.to_lowercase()))
-    };
-    let after = |fits: &dyn Fn(&String) -> bool| {
-        let fits = |column| names(column).is_some_and(|names| names.iter().any(fits));
-        next(now, results.column_count(), fits)
-    };
-    after(&|name| name == wanted).or_else(|| after(&|name| name.contains(wanted)))
-}
-
-/// The next row behind `now` in which a text occurs as a word of its own, written alike; else as a word; else anywhere.
-pub fn row(rows: &[String], now: usize, wanted: &str) -> Option<usize> {
-    let lower = wanted.to_lowercase();
-    let is_word = |row: &str, wanted: &str| {
-        let mut places = row.match_indices(wanted);
+/// The next item behind `now` that has just this name, else but for capital letters; else in a name of which it occurs as a word of
+/// its own, written alike; else as a word; else anywhere, if it has more than one letter.
+pub fn by_name(all: &[Vec<String>], now: usize, sought: &str) -> Option<usize> {
+    let lower = sought.to_lowercase();
+    let is_word = |name: &str, sought: &str| {
+        let mut places = name.match_indices(sought);
         places.any(|(at, _)| {
-            let (before, after) = (&row[..at], &row[at + wanted.len()..]);
+            let (before, after) = (&name[..at], &name[at + sought.len()..]);
             !before.ends_with(char::is_alphanumeric) && !after.starts_with(char::is_alphanumeric)
         })
     };
-    let fits: [&dyn Fn(&str) -> bool; 3] =
-        [&|row| is_word(row, wanted), &|row| is_word(&row.to_lowercase(), &lower), &|row| {
-            row.to_lowercase().contains(&lower)
-        }];
-    fits.iter().find_map(|fits| next(now, rows.len(), |row| fits(&rows[row])))
+    let fits: [&dyn Fn(&str) -> bool; 5] = [
+        &|name| name == sought,
+        &|name| name.to_lowercase() == lower,
+        &|name| is_word(name, sought),
+        &|name| is_word(&name.to_lowercase(), &lower),
+        &|name| sought.chars().nth(1).is_some() && name.to_lowercase().contains(&lower),
+    ];
+    fits.iter().find_map(|fits| next(now, all.len(), |item| all[item].iter().any(|name| fits(name))))
 }

@@ -14,6 +14,15 @@ use assur_words::Text;
 
 use crate::{Planner, Series};
 
+/// The content of the motion view.
+const MOTION: [Quantity; 5] = [
+    Quantity::Velocity,
+    Quantity::Acceleration,
+    Quantity::ReducedInertia,
+    Quantity::ReducedInertiaDerivative,
+    Quantity::ReducedMoment,
+];
+
 /// The results of the analysis of a scene.
 #[derive(Debug)]
 pub struct Found {
@@ -62,13 +71,12 @@ impl Found {
         let whole =
             if calculation.plan.all { None } else { calculation.whole(Arc::clone(&linkage), options).ok() };
         let plans = Planner::new(Arc::new(whole.unwrap_or(calculation)));
-        let mut gather = Gather { table: &analysis.positions, edges: &edges, series: Vec::new() };
-        let motion = gather.motion();
-        gather.rates();
-        let reactions = gather.reactions();
-        gather.others();
-        gather.mark_rounding();
-        let series = gather.series;
+        let table = &analysis.positions;
+        let mut series = Vec::new();
+        gather(&mut series, table, &edges);
+        mark_rounding(&mut series);
+        let reactions = reactions(&series, table);
+        let motion = MOTION.iter().filter_map(|of| index(&series, Column::of(*of, Owner::Input))).collect();
         let reach = RefCell::default();
         Ok(Self {
             linkage,
@@ -100,14 +108,7 @@ impl Found {
     pub fn take_checks(&mut self, checks: Checks) {
         self.analysis.add_checks(checks);
         self.results.extend(topic::checks_fact(&self.analysis).map(|fact| (About::Checks, fact)));
-        let table = &self.analysis.positions;
-        let mut gather = Gather { table, edges: &self.edges, series: std::mem::take(&mut self.series) };
-        let all = table.schema().columns().iter();
-        let residuals = all.filter(|column| matches!(column.quantity, Quantity::Residual(_)));
-        for column in residuals {
-            gather.add(*column);
-        }
-        self.series = gather.series;
+        gather(&mut self.series, &self.analysis.positions, &self.edges);
     }
 
     /// The balancing load over the positions.
@@ -130,99 +131,69 @@ pub struct Reaction {
     pub moment: Option<usize>,
 }
 
-/// Series that are being collected from the positions of an analysis.
-struct Gather<'a> {
-    table: &'a Table,
-    /// What lies between and after them.
-    edges: &'a Edges,
-    series: Vec<Series>,
+/// Adds the columns of the positions that are not there yet, in the order of the results: a whole quantity, or both projections of a
+/// vector and its modulus.
+fn gather(series: &mut Vec<Series>, table: &Table, edges: &Edges) {
+    let schema = table.schema();
+    let shown = catalogue::reactions(schema);
+    for column in schema.columns().iter().filter(|column| column.cause.is_none()) {
+        let is_shown = match (column.quantity, column.owner) {
+            // Transfer functions are those of the scene.
+            (Quantity::Transfer(_), _) => false,
+            // Of the two forces of a pair one is shown.
+            (Quantity::Force, Owner::PairOn(pair, link)) => shown.contains(&(pair, link)),
+            _ => catalogue::path(schema, *column).is_some(),
+        };
+        let whole = column.part(Part::Whole);
+        if !is_shown || series.iter().any(|series| series.column.part(Part::Whole) == whole) {
+            continue;
+        }
+        let parts: &[Part] =
+            if *column == whole { &[Part::Whole] } else { &[Part::X, Part::Y, Part::Modulus] };
+        series.extend(parts.iter().filter_map(|part| {
+            let course = Course::of(table, Some(edges), Column::COORDINATE, whole.part(*part));
+            (!course.is_empty()).then(|| Series::of(schema, whole.part(*part), course, 0.0))
+        }));
+    }
 }
 
-impl Gather<'_> {
-    /// Adds a column as a series if any position has it, and returns its index.
-    fn add(&mut self, column: Column) -> Option<usize> {
-        let course = Course::of(self.table, Some(self.edges), Column::COORDINATE, column);
-        if course.is_empty() {
-            return None;
-        }
-        self.series.push(Series::of(self.table.schema(), column, course, 0.0));
-        Some(self.series.len() - 1)
-    }
+/// The place of a column among series.
+fn index(series: &[Series], column: Column) -> Option<usize> {
+    series.iter().position(|series| series.column == column)
+}
 
-    /// Adds a whole quantity, or both projections of a vector and its modulus.
-    fn add_all(&mut self, whole: Column) -> Vec<usize> {
-        let is_vector = self.table.schema().find(whole.part(Part::X)).is_some();
-        let parts: &[Part] = if is_vector { &[Part::X, Part::Y, Part::Modulus] } else { &[Part::Whole] };
-        parts.iter().filter_map(|part| self.add(whole.part(*part))).collect()
-    }
-
-    fn motion(&mut self) -> Vec<usize> {
-        let all = [
-            Quantity::Velocity,
-            Quantity::Acceleration,
-            Quantity::ReducedInertia,
-            Quantity::ReducedInertiaDerivative,
-            Quantity::ReducedMoment,
-        ];
-        all.into_iter().filter_map(|quantity| self.add(Column::of(quantity, Owner::Input))).collect()
-    }
-
-    fn rates(&mut self) {
-        let schema = self.table.schema();
-        for quantity in [Quantity::Velocity, Quantity::Acceleration] {
-            let owners = schema.owners(quantity).into_iter().filter(|owner| *owner != Owner::Input);
-            owners.for_each(|owner| drop(self.add_all(Column::of(quantity, owner))));
+/// Force and moment of every pair, then the balancing load.
+fn reactions(series: &[Series], table: &Table) -> Vec<Reaction> {
+    let schema = table.schema();
+    let mut found = Vec::new();
+    for (id, on) in catalogue::reactions(schema) {
+        let pair = schema.named(Owner::Pair(id)).map(|name| Named { id, name: name.clone() });
+        let of = pair.map(|pair| (pair, Named { id: on, name: schema.links[on].clone() }));
+        let force = Column::of(Quantity::Force, Owner::PairOn(id, on));
+        let parts = [Part::X, Part::Y, Part::Modulus].map(|part| index(series, force.part(part)));
+        let moment = index(series, Column::of(Quantity::Moment, Owner::Pair(id)));
+        if let [Some(x), Some(y), Some(modulus)] = parts {
+            let (name, series) = (catalogue::owner(schema, force), vec![x, y, modulus]);
+            found.push(Reaction { of, name, series, moment });
         }
     }
+    found.extend(index(series, Column::BALANCING).map(|index| Reaction {
+        of: None,
+        name: catalogue::kind(Column::BALANCING),
+        series: vec![index],
+        moment: None,
+    }));
+    found
+}
 
-    /// Force and moment of every pair, then the balancing load.
-    fn reactions(&mut self) -> Vec<Reaction> {
-        let schema = self.table.schema();
-        let mut found = Vec::new();
-        for (id, on) in catalogue::reactions(schema) {
-            let pair = schema.named(Owner::Pair(id)).map(|name| Named { id, name: name.clone() });
-            let of = pair.map(|pair| (pair, Named { id: on, name: schema.links[on].clone() }));
-            let force = Column::of(Quantity::Force, Owner::PairOn(id, on));
-            let (name, series) = (catalogue::owner(schema, force), self.add_all(force));
-            let moment = self.add(Column::of(Quantity::Moment, Owner::Pair(id)));
-            if series.len() == 3 {
-                found.push(Reaction { of, name, series, moment });
-            }
-        }
-        if let Some(index) = self.add(Column::BALANCING) {
-            let name = catalogue::kind(Column::BALANCING);
-            found.push(Reaction { of: None, name, series: vec![index], moment: None });
-        }
-        found
+/// Raises the limits below which values count as zero to what is rounding beside the greatest value in their unit.
+fn mark_rounding(series: &mut [Series]) {
+    let mut greatest: HashMap<&str, f64> = HashMap::new();
+    for one in &*series {
+        let most = greatest.entry(one.unit.name).or_default();
+        *most = most.max(one.course.size());
     }
-
-    /// What else a position has: loads, inertia loads, friction, what shakes the ground, how well each group is conditioned.
-    fn others(&mut self) {
-        let schema = self.table.schema();
-        for &column in schema.columns() {
-            let whole = column.part(Part::Whole);
-            // Transfer functions are those of the scene; of the two forces of a pair one is shown; shares have a view of their own.
-            let is_elsewhere =
-                matches!(column.quantity, Quantity::Transfer(_) | Quantity::Force) || column.cause.is_some();
-            let is_new = self.series.iter().all(|series| series.column.part(Part::Whole) != whole);
-            if is_new && !is_elsewhere && catalogue::path(schema, column).is_some() {
-                self.add_all(whole);
-            }
-        }
-    }
-
-    /// Raises the limits below which values count as zero to what is rounding beside the greatest value in their unit.
-    fn mark_rounding(&mut self) {
-        let mut greatest: HashMap<&str, f64> = HashMap::new();
-        for series in &self.series {
-            let most = greatest.entry(&series.unit).or_default();
-            *most = most.max(series.course.size());
-        }
-        let floors: Vec<f64> =
-            self.series.iter().map(|series| ROUNDING * greatest[series.unit.as_str()]).collect();
-        let of_units = self.series.iter_mut().zip(floors);
-        for (series, floor) in of_units.filter(|(series, _)| !catalogue::is_ratio(series.column)) {
-            series.floor = series.floor.max(floor);
-        }
+    for one in series.iter_mut().filter(|one| !catalogue::is_ratio(one.column)) {
+        one.floor = one.floor.max(ROUNDING * greatest[one.unit.name]);
     }
 }

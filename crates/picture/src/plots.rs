@@ -44,14 +44,14 @@ pub fn over_positions(
 ) -> Panel {
     let (_, coordinate) = coordinate_unit(linkage);
     let at_positions = |series: &Series| {
-        let place = |node: &Node| [coordinate * node.at, series.factor * node.value];
+        let place = |node: &Node| [coordinate * node.at, series.unit.factor * node.value];
         series.course.nodes().iter().map(place).collect::<Vec<Point>>()
     };
     let line = |(series, stroke, ink): &(&Series, Stroke, Ink)| {
         // Each star is a position.
         let points = match stroke {
             Stroke::Stars => at_positions(series),
-            _ => series.course.points([coordinate, series.factor]),
+            _ => series.course.points([coordinate, series.unit.factor]),
         };
         Item::line(points, *stroke, *ink)
     };
@@ -61,7 +61,7 @@ pub fn over_positions(
     items.extend(marked.into_iter().flatten().map(|at| Item::sign(at, Sign::Node, Ink::Title)));
     let values: Vec<f64> = items.iter().flat_map(Item::points).map(|at| at[1]).collect();
     let (floor, unit) = curves.first().map_or((0.0, Text::default()), |(series, ..)| {
-        (series.factor * series.floor, unit(series.unit.clone()))
+        (series.unit.factor * series.floor, unit(series.unit.name))
     });
     items.extend(signs);
     let (x, y) = (coordinate_axis(linkage), Axis::around(unit, values, floor));

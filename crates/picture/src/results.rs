@@ -182,7 +182,7 @@ impl Results {
     /// `position 6, 45 deg`.
     pub fn place(&self, position: usize) -> Text {
         let series = &self.series[0];
-        let at = quantity(plain(series.at(position)), series.unit.clone());
+        let at = quantity(plain(series.at(position)), series.unit.name);
         text!("position-at", position = number(position), at = at)
     }
 

@@ -1,8 +1,7 @@
 //! Every quantity over the positions, in the unit that is shown.
 
 use assur_analysis::results::{Column, Owner, Schema};
-use assur_book::Course;
-use assur_book::catalogue;
+use assur_book::{Course, Unit, catalogue};
 use assur_words::{Text, joined, list, quantity, unit};
 
 use assur_figure::number::number;
@@ -20,10 +19,8 @@ pub struct Series {
     pub short: String,
     /// What it is, in words by which it is looked for: `velocity`, `PF1`.
     pub kind: Text,
-    /// Unit of the values that are shown.
-    pub unit: String,
-    /// Number of these units in the SI unit.
-    pub factor: f64,
+    /// Unit of the values.
+    pub unit: Unit,
     /// The values with their coordinates, SI.
     pub course: Course,
     /// Values below this, SI, count as zero, however small the rest of the series is.
@@ -36,14 +33,13 @@ impl Series {
         let (of, head) = (catalogue::subject(schema, column), catalogue::short(schema, column));
         let (kind, short) = (catalogue::further(column), head.to_string());
         let unit = catalogue::unit(schema, column);
-        let (unit, factor) = (unit.name.to_owned(), unit.factor);
         let floor = if catalogue::is_ratio(column) { 0.0 } else { floor.max(course.rounding()) };
-        Self { column, of, head, short, kind, unit, factor, course, floor }
+        Self { column, of, head, short, kind, unit, course, floor }
     }
 
     /// Value at a position; NaN where there is none.
     pub fn at(&self, position: usize) -> f64 {
-        self.course.get(position).map_or(f64::NAN, |value| self.factor * value)
+        self.course.get(position).map_or(f64::NAN, |value| self.unit.factor * value)
     }
 
     /// Value at a position, SI; 0 if it is rounding compared with the greatest value. `None` where there is none.
@@ -53,7 +49,7 @@ impl Series {
 
     /// Value and unit at a position.
     pub fn show(&self, position: usize) -> Text {
-        quantity(self.bare(position), self.unit.clone())
+        quantity(self.bare(position), self.unit.name)
     }
 
     /// Value at a position without its unit; 0 if it is rounding compared with the greatest value.
@@ -64,12 +60,12 @@ impl Series {
 
     /// The greatest size that counts as zero, in the unit that is shown.
     pub fn least(&self) -> f64 {
-        self.factor * self.floor
+        self.unit.factor * self.floor
     }
 
     /// The greatest modulus of a value, in the unit that is shown.
     pub fn size(&self) -> f64 {
-        self.factor * self.course.size()
+        self.unit.factor * self.course.size()
     }
 
     /// What it is, and of what: `point D x PF1`.
@@ -79,7 +75,7 @@ impl Series {
 
     /// Its name for a list: `point D x PF1, m/rad`.
     pub fn title(&self) -> Text {
-        list([self.told(), unit(self.unit.clone())].into_iter().filter(|text| !text.is_empty()))
+        list([self.told(), unit(self.unit.name)].into_iter().filter(|text| !text.is_empty()))
     }
 }
 

@@ -44,6 +44,7 @@ use walk::Section;
 
 pub use error::{SceneError, SceneErrors};
 pub use reading::{Note, Reading, SceneNumber};
+pub use text::nearest;
 pub use units::{Dimension, LEAST, Unit, UnitError, UnitFault, quantity};
 
 assur_words::resources!();

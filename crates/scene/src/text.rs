@@ -43,7 +43,7 @@ fn cut(piece: &str) -> String {
 }
 
 /// The known word with nearly the same spelling as `word`; the first of equally near ones.
-pub(crate) fn nearest<'k>(word: &str, known: impl IntoIterator<Item = &'k str>) -> Option<&'k str> {
+pub fn nearest<'k>(word: &str, known: impl IntoIterator<Item = &'k str>) -> Option<&'k str> {
     // A third of the letters may be wrong: `lenght` for `length`, but not `mm` for `kg`.
     let limit = (word.chars().count() / 3).max(1);
     let lower = appearance(word).to_lowercase();

@@ -116,15 +116,14 @@ const OTHER_NAMES: &[(&str, &str)] = &[
     ("init", "new"),
 ];
 
-/// The command that is meant by `word`: by another name of it, or by a spelling at most two letters away.
+/// The command that is meant by `word`: by another name of it, or by nearly the same spelling.
 pub(crate) fn nearest_command(word: &str) -> Option<String> {
     if let Some((_, command)) = OTHER_NAMES.iter().find(|(other, _)| *other == word) {
         return Some((*command).to_owned());
     }
     let program = Cli::command();
-    let names = program.get_subcommands().map(|command| command.get_name().to_owned());
-    let near = names.map(|name| (strsim::damerau_levenshtein(word, &name), name)).min()?;
-    (near.0 <= 2 && near.0 < near.1.len() && near.1 != word).then_some(near.1)
+    let near = assur_scene::nearest(word, program.get_subcommands().map(clap::Command::get_name));
+    near.filter(|near| *near != word).map(str::to_owned)
 }
 
 /// Options of the terminal UI, or methods, before a command would be ignored without a message.

@@ -128,7 +128,7 @@ fn to_extreme(state: &mut State, told: &'static str, turns: Option<(Turn, Turn)>
                 text!("place-between", at = at(), one = number(one), other = number(other))
             }
         };
-        (quantity(plain(series.factor * found.value), series.unit.clone()), place)
+        (quantity(plain(series.unit.factor * found.value), series.unit.name), place)
     } else {
         (text!("say-unlimited", at = at()), Text::default())
     };

@@ -2,6 +2,7 @@
 
 use assur_fixtures::SCENES;
 use assur_picture::{Look, Picture, find};
+use assur_scene::nearest;
 use assur_words::{self as words, Text, text};
 
 use super::{act, motors, picker, whatif, write};
@@ -9,11 +10,6 @@ use crate::screen::state::{
     Chosen, Group, Panels, Pictures, Role, SETTINGS, Scene, Source, State, View, Wanted,
 };
 use crate::screen::view::help::where_it_works;
-
-/// Names that differ in more letters than this from the typed text are not suggested.
-const FAR: usize = 3;
-/// Number of typed letters for each wrong letter that is allowed.
-const LETTERS: usize = 3;
 
 /// Words of the line that take a value, and their values.
 fn takers(state: &State) -> Vec<(String, Vec<String>)> {
@@ -153,16 +149,10 @@ fn unknown_name(state: &mut State, word: &str, name: &str) {
     state.say(Role::Bad, text!("say-no-such", words = words::name(format!("{word} {name}")), offer = offer));
 }
 
-/// `; did you mean ...?` or nothing; in a short word only few letters may be wrong.
-fn suggestion(name: &str, known: &[String]) -> Text {
-    let far = (name.chars().count() / LETTERS).clamp(1, FAR);
-    let near = known.iter().map(|candidate| (strsim::damerau_levenshtein(name, candidate), candidate)).min();
-    match near {
-        Some((distance, candidate)) if distance <= far => {
-            text!("say-offer", offer = words::name(candidate.clone()))
-        }
-        _ => Text::default(),
-    }
+/// `; did you mean ...?` or nothing.
+pub(crate) fn suggestion(name: &str, known: &[String]) -> Text {
+    let near = nearest(name, known.iter().map(String::as_str));
+    near.map_or_else(Text::default, |near| text!("say-offer", offer = words::name(near.to_owned())))
 }
 
 fn view(state: &mut State, name: &str) {
@@ -231,32 +221,34 @@ pub(super) fn search(state: &mut State, text: &str) {
     }
     let wanted = text.to_lowercase();
     let found = match if state.values_open() { View::Values } else { state.view } {
-        View::Working | View::Accuracy => act::find_line(state, &wanted),
+        View::Working | View::Accuracy => act::find_line(state, &wanted).ok_or_else(Vec::new),
         view @ (View::Values | View::Results | View::Checks) => row(state, view, text),
         _ => pictured(state, text),
     };
-    if found.is_none() {
-        state.say(Role::Bad, text!("say-not-found", text = words::name(text.to_owned())));
+    if let Err(known) = found {
+        let offer = suggestion(text, &known);
+        state.say(Role::Bad, text!("say-not-found", text = words::name(text.to_owned()), offer));
     }
 }
 
 /// Chooses the next row of the list of a view in which a text occurs.
-fn row(state: &mut State, view: View, wanted: &str) -> Option<()> {
+fn row(state: &mut State, view: View, wanted: &str) -> Result<(), Vec<String>> {
     let rows: Vec<Text> = match (view, state.found()) {
         (View::Values, _) => state.what_if.values.iter().map(|value| (&value.key).into()).collect(),
         (View::Results, Some(found)) => found.results.iter().map(|(_, fact)| fact.what()).collect(),
         (_, Some(found)) => found.analysis.checks.iter().map(|check| check.name.clone()).collect(),
-        _ => return None,
+        _ => Vec::new(),
     };
-    let rows: Vec<String> = rows.into_iter().map(|row| state.told(row)).collect();
+    let rows: Vec<_> = rows.into_iter().map(|row| vec![state.told(row)]).collect();
     let (chosen, _) = act::list(state, view);
-    *chosen = find::row(&rows, *chosen, wanted)?;
-    Some(())
+    let found = find::by_name(&rows, *chosen, wanted);
+    *chosen = found.ok_or_else(|| rows.into_iter().flatten().collect::<Vec<_>>())?;
+    Ok(())
 }
 
 /// Chooses what the picture of the view shows, or a quantity.
-fn pictured(state: &mut State, wanted: &str) -> Option<()> {
-    let scene = state.scene.as_ref()?;
+fn pictured(state: &mut State, wanted: &str) -> Result<(), Vec<String>> {
+    let Some(scene) = &state.scene else { return Ok(()) };
     let shown = (state.view.picture().unwrap_or(Picture::Curves), state.part(state.view));
     let mut look = state.pictured();
     look.choose(scene, shown, wanted, |text| state.told(text))?;
@@ -266,5 +258,5 @@ fn pictured(state: &mut State, wanted: &str) -> Option<()> {
         state.picked = alone.map(|series| series.short.clone()).into_iter().collect();
     }
     state.chosen = Chosen { transfer, group, reaction, polygon, step, column, ..state.chosen };
-    Some(())
+    Ok(())
 }

@@ -181,7 +181,7 @@ fn points(panels: &[assur_figure::Panel]) -> Result<Vec<u8>, Text> {
 /// The position and these columns as CSV, each column with its unit in the name; a missing number is an empty field.
 fn table(scene: &Scene, columns: impl Iterator<Item = usize>) -> Result<Vec<u8>, Text> {
     let columns: Vec<_> = columns.filter_map(|column| scene.column(column)).collect();
-    let names = columns.iter().map(|series| format!("{}_{}", series.short, series.unit));
+    let names = columns.iter().map(|series| format!("{}_{}", series.short, series.unit.name));
     let header: Vec<String> = std::iter::once("position".to_owned()).chain(names).collect();
     let row = |position: usize| {
         let values = columns.iter().map(move |series| finite(series.at(position)));

@@ -8,7 +8,7 @@ use strum::VariantArray;
 use super::random::NAMED;
 use super::{View, opened, press, settle, text, write};
 use crate::screen::command::{self, COMMANDS};
-use crate::screen::state::{Effect, Key, Keymap, Measured, Probe, State, Theme};
+use crate::screen::state::{Effect, Key, Keymap, Measured, Probe, Series, State, Theme};
 
 /// Everything that the state's frame and next steps depend on, for comparison.
 fn fingerprint(state: &State) -> String {
@@ -190,15 +190,43 @@ fn the_line_understands_positions_points_views_and_settings() {
 }
 
 #[test]
+fn what_the_screen_names_is_found_by_this_name() {
+    for scene in ["shaper", "shaper-friction", "triad", "press-compression"] {
+        let mut state = opened(scene);
+        let found = state.found().unwrap();
+        let reactions: Vec<_> = found.reactions.iter().map(|reaction| state.told(&reaction.name)).collect();
+        let columns = state.scene.as_ref().unwrap().columns();
+        let names = |series: &Series| [state.told(series.told()), state.told(&series.head)];
+        let columns: Vec<_> = columns.map(|series| (names(series), series.short.clone())).collect();
+        state.view = View::Forces;
+        for (index, name) in reactions.iter().enumerate() {
+            write(&mut state, &format!("/{name}"));
+            assert_eq!(state.chosen.reaction, index, "{scene}: {name}");
+        }
+        state.view = View::Table;
+        for (index, (names, short)) in columns.iter().enumerate() {
+            for name in names.iter().chain([short]) {
+                state.chosen.column = 0;
+                write(&mut state, &format!("/{name}"));
+                let found = &columns[state.chosen.column];
+                assert!(state.chosen.column == index || found.0.contains(name), "{scene}: {name}: {found:?}");
+            }
+        }
+    }
+}
+
+#[test]
 fn the_line_says_what_it_does_not_know() {
     let mut state = opened("shaper");
     for (line, answer) in [
         (":xx", "there is no command `xx`"),
         (":48", "there is no position 48: the last one is 47"),
-        (":point Q", "there is no `point Q` here; did you mean `A`?"),
+        (":point Q", "there is no `point Q` here"),
         (":set theme pink", "`theme` takes default, mono, okabe-ito, not `pink`"),
         (":view chekcs", "did you mean `checks`?"),
         ("/nothing", "`nothing` was not found"),
+        ("/b", "`b` was not found"),
+        ("/point E PF3", "`point E PF3` was not found; did you mean `point E"),
     ] {
         write(&mut state, line);
         let frame = text(&state, 80, 24);

@@ -79,7 +79,7 @@ fn the_greatest_value_that_is_gone_to_is_that_of_the_table() {
             };
             Some((
                 series.short.clone(),
-                series.factor * if is_sense { by_modulus } else { range.greatest }.value,
+                series.unit.factor * if is_sense { by_modulus } else { range.greatest }.value,
             ))
         };
         let all: Vec<_> =

@@ -54,7 +54,7 @@ const PLACE: usize = 5;
 fn extremes(state: &State, scene: &Scene, width: u16) -> Vec<Line> {
     let (symbol, factor) = coordinate_unit(&scene.linkage);
     let shown = |series: &Series, value: f64| {
-        let value = series.factor * value;
+        let value = series.unit.factor * value;
         if value.abs() <= series.least() { 0.0 } else { value }
     };
     let range = |series: &Series| scene.found.as_ref().and_then(|found| found.range(series));
@@ -73,7 +73,7 @@ fn extremes(state: &State, scene: &Scene, width: u16) -> Vec<Line> {
     let all = picked(scene, &state.pictured()).into_iter().enumerate();
     let table = Table::each(Text::default(), all)
         .column(Text::default(), |(number, series)| plots::numbered(*number, series.of.clone()))
-        .column(Text::default(), |(_, series)| unit(series.unit.clone()))
+        .column(Text::default(), |(_, series)| unit(series.unit.name))
         .column(text!("curve-greatest"), |(_, series)| value(series, |range| range.greatest))
         .column(place(), |(_, series)| at(series, |range| range.greatest))
         .column(text!("curve-least"), |(_, series)| value(series, |range| range.least))

@@ -83,7 +83,11 @@ fn rows(state: &State, help: &Help) -> Vec<Pieces> {
     }
     if rows.is_empty() && !wanted.is_empty() {
         let sought = name((*help.filter.text).to_owned());
-        rows.push(vec![(0, Role::Bad, state.told(text!("say-not-found", text = sought)))]);
+        rows.push(vec![(
+            0,
+            Role::Bad,
+            state.told(text!("say-not-found", text = sought, offer = Text::default())),
+        )]);
     }
     rows.push(vec![(0, Role::Plain, state.told(text!("help-linear")))]);
     rows

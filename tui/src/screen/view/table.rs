@@ -26,7 +26,7 @@ pub(super) fn draw(pen: &mut Pen<'_>, scene: &Scene, area: Rect) {
     for &(column, width) in &columns {
         let Some(series) = scene.column(column) else { continue };
         let role = if column == state.chosen.column { Role::Chosen } else { Role::Header };
-        let texts = [(0, series.head.clone(), role), (1, unit(series.unit.clone()), Role::Dim)];
+        let texts = [(0, series.head.clone(), role), (1, unit(series.unit.name), Role::Dim)];
         for (row, text, role) in texts {
             let text = state.told(text);
             pen.put(area, left, row, &format!("{text:>0$}", usize::from(width) - 1), role);
@@ -77,7 +77,7 @@ fn value(state: &State, column: usize, series: &Series, position: usize) -> Stri
     let Some(compared) = compared else { return series.bare(position) };
     match compared.difference(series, position) {
         None => "-".to_owned(),
-        Some(difference) if difference.abs() <= series.factor * series.floor => "0".to_owned(),
+        Some(difference) if difference.abs() <= series.unit.factor * series.floor => "0".to_owned(),
         Some(difference) => number(difference),
     }
 }
@@ -86,7 +86,7 @@ fn value(state: &State, column: usize, series: &Series, position: usize) -> Stri
 fn visible_columns(state: &State, scene: &Scene, room: u16) -> Vec<(usize, u16)> {
     let width = |column: usize| {
         let Some(series) = scene.column(column) else { return COLUMN };
-        COLUMN.max(short(state.told(&series.head).width().max(series.unit.len() + 1) + 1))
+        COLUMN.max(short(state.told(&series.head).width().max(series.unit.name.len() + 1) + 1))
     };
     let mut first = 0;
     loop {

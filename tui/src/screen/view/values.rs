@@ -85,19 +85,19 @@ type Finding = (Text, f64);
 fn results_of(state: &State, scene: &Results) -> Vec<Finding> {
     let mut results: Vec<Finding> = Vec::new();
     let named = |id: &'static str, series: &Series| {
-        list([text!(id, quantity = &series.head), unit(series.unit.clone())])
+        list([text!(id, quantity = &series.head), unit(series.unit.name)])
     };
     let of = |id: &'static str, symbol: &str| list([text!(id), unit(symbol.to_owned())]);
     let Some(found) = &scene.found else { return results };
     if let Some(series) = state.main_series().and_then(|series| scene.named(&series.short))
         && let Some(range) = found.range(series)
     {
-        results.push((named("values-most", series), series.factor * range.greatest.value));
-        results.push((named("values-least", series), series.factor * range.least.value));
+        results.push((named("values-most", series), series.unit.factor * range.greatest.value));
+        results.push((named("values-least", series), series.unit.factor * range.least.value));
     }
     let peaks = &found.analysis.peaks;
     if let Some((series, most)) = found.balancing().zip(peaks.of(Column::BALANCING)) {
-        results.push((of("values-balance", &series.unit), (series.factor * most.value).abs()));
+        results.push((of("values-balance", series.unit.name), (series.unit.factor * most.value).abs()));
     }
     let forces = peaks.farthest.iter().filter(|(column, _)| column.quantity == Quantity::Force);
     let force = forces.map(|(_, most)| most.value).reduce(f64::max);
