@@ -1,5 +1,7 @@
 //! Drawing into cells: text, and figures in the styles of the theme.
 
+use std::ops::Range;
+
 pub(crate) use assur_figure::cells::{cut, short};
 
 use assur_figure::cells::{self, Look};
@@ -11,6 +13,8 @@ use textwrap::Options;
 
 use crate::screen::state::{Role, State, Zoom};
 
+/// Rows of the header of the screen.
+const HEADER: u16 = 2;
 /// Rows of a chart that is not low.
 const LOW: u16 = 12;
 
@@ -69,6 +73,34 @@ impl Pen<'_> {
     ) {
         for (row, (role, line)) in lines.into_iter().enumerate() {
             self.put(area, column, short(row), line, *role);
+        }
+    }
+}
+
+/// What shows that rows are out of sight.
+impl Pen<'_> {
+    /// Marks an area in which some of so many rows are in sight: a bar at its right edge, and which of how many. Nothing where all are.
+    pub(crate) fn mark_rows(&mut self, area: Rect, seen: Range<usize>, all: usize) {
+        if seen.len() >= all || area.width == 0 || area.height == 0 {
+            return;
+        }
+        let height = usize::from(area.height);
+        let [top, end] = [seen.start * height / all, (seen.end * height).div_ceil(all)];
+        for row in 0..height {
+            let (sign, role) =
+                if (top..end).contains(&row) { ("█", Role::Key) } else { ("│", Role::Dim) };
+            self.put(area, area.width - 1, short(row), sign, role);
+        }
+        let count = format!(" {}-{} / {all}", seen.start + 1, seen.end);
+        let width = short(count.len()).min(area.width - 1);
+        let (left, style) = (area.right() - 1 - width, self.state.look.theme.style(Role::Key));
+        // Where nothing is written, at best above.
+        let is_free = |row: &u16| {
+            (left..left + width).all(|column| [" ", "─"].contains(&self.buffer[(column, *row)].symbol()))
+        };
+        let above = area.y.checked_sub(1).filter(|row| *row >= self.buffer.area.y + HEADER);
+        if let Some(row) = above.into_iter().chain(area.y..area.bottom()).find(is_free) {
+            self.buffer.set_stringn(left, row, count, width.into(), style);
         }
     }
 }

@@ -9,7 +9,7 @@ use crate::screen::state::{
     FRAMES, PACES, Pictures, Purpose, Role, Source, State, View, ViewPart, Wanted, following, next_kind,
     round,
 };
-use crate::screen::view::{report, room};
+use crate::screen::view::{plans, report, room};
 
 /// An eighth of the positions forward or back.
 pub(super) fn jump(state: &mut State, sense: isize) {
@@ -21,6 +21,24 @@ pub(super) fn jump(state: &mut State, sense: isize) {
 pub(super) fn choose(state: &mut State, view: View, by: isize) {
     let (chosen, count) = list(state, view);
     *chosen = round(*chosen, by, count);
+}
+
+/// Goes on (1) or back (-1) in the list of a plan, of force polygons at its ends to that of the next group.
+pub(super) fn plan(state: &mut State, by: isize) {
+    let hidden = plans::hidden(state);
+    let next = state.chosen.vector.min(hidden).checked_add_signed(by).filter(|next| *next <= hidden);
+    match state.part(View::Plans) {
+        ViewPart::Construction => choose(state, View::Plans, by),
+        ViewPart::Velocities | ViewPart::Accelerations => {
+            state.chosen.vector = next.unwrap_or(state.chosen.vector.min(hidden));
+        }
+        _ => {
+            if next.is_none() {
+                choose(state, View::Plans, by);
+            }
+            state.chosen.vector = next.unwrap_or(0);
+        }
+    }
 }
 
 /// The chosen item of the list in a view, and how many there are.
@@ -44,12 +62,6 @@ pub(super) fn list(state: &mut State, view: View) -> (&mut usize, usize) {
         (View::Table, _) => (&mut chosen.column, of_scene(Results::column_count)),
         (View::Values, _) => (&mut what_if.chosen, what_if.values.len()),
         (View::Plans, ViewPart::Construction) => (&mut chosen.step, of_plans(Plans::step_count)),
-        (View::Plans, ViewPart::Velocities) => {
-            (&mut chosen.vector, of_sheet(|sheet| sheet.velocities.items.len()))
-        }
-        (View::Plans, ViewPart::Accelerations) => {
-            (&mut chosen.vector, of_sheet(|sheet| sheet.accelerations.items.len()))
-        }
         (View::Plans, _) => (&mut chosen.polygon, of_sheet(|sheet| sheet.polygons.len())),
         _ => (&mut chosen.transfer, of_scene(|scene| scene.transfers.len())),
     }

@@ -110,7 +110,7 @@ pub(crate) struct Chosen {
     pub(crate) result: usize,
     /// Group whose force polygon is drawn; the last is the input link.
     pub(crate) polygon: usize,
-    /// First vector in the list of a plan of velocities or accelerations.
+    /// First vector in the list of a plan.
     pub(crate) vector: usize,
     /// Last step of the construction that is drawn.
     pub(crate) step: usize,

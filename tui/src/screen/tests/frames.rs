@@ -24,9 +24,11 @@ fn without_rounding(frame: &str, view: View) -> String {
         |word: &str| word.contains("e-") && word.parse::<f64>().is_ok_and(|value| value.abs() < 1e-9);
     let mut lines = Vec::new();
     for line in frame.lines() {
-        if view == View::Checks && (line.ends_with(" ok") || line.ends_with(" FAILED")) {
+        // Without the bar beside rows of which some are out of sight.
+        let told = line.trim_end_matches(['█', '│', ' ']);
+        if view == View::Checks && (told.ends_with(" ok") || told.ends_with(" FAILED")) {
             let name: String = line.chars().take(30).collect();
-            lines.push(format!("{name} ~ {}", line.rsplit(' ').next().unwrap_or_default()));
+            lines.push(format!("{name} ~ {}", told.rsplit(' ').next().unwrap_or_default()));
         } else {
             lines.push(
                 line.split(' ')

@@ -379,3 +379,24 @@ fn the_end_of_a_cycle_is_not_called_its_first_position() {
     // The coordinate is 0 in position 0, and 360 deg only at the end.
     assert!(frame.contains("360.000 deg at 360") && !frame.contains("in position 0"), "{frame}");
 }
+
+#[test]
+fn rows_out_of_sight_are_counted_and_reached() {
+    let mut state = opened("six-links");
+    press(&mut state, "3");
+    let frame = text(&state, 80, 24);
+    assert!(frame.contains("1-7 / 10") && frame.contains("█") && !frame.contains("V on right"), "{frame}");
+    press(&mut state, "Down Down Down Down Down Down Down Down Down");
+    let frame = text(&state, 80, 24);
+    assert!(frame.contains("4-10 / 10") && frame.contains("V on right"), "{frame}");
+    // All vectors of a plan, before the plan of the next group.
+    press(&mut state, "4");
+    assert!(!text(&state, 80, 24).contains(" R17 "));
+    press(&mut state, "Down Down");
+    let frame = text(&state, 80, 24);
+    assert!(frame.contains(" R17 ") && frame.contains("group 1"), "{frame}");
+    press(&mut state, "Down");
+    assert!(text(&state, 80, 24).contains("input link"));
+    press(&mut state, "Up");
+    assert!(text(&state, 80, 24).contains("F1 "));
+}

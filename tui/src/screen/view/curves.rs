@@ -17,7 +17,7 @@ pub(super) fn draw(pen: &mut Pen<'_>, scene: &Scene, area: Rect) {
     let state = pen.state;
     if !state.picked.is_empty() {
         let [table, charts] = parts_of_picked(state, scene, area);
-        page::draw(pen, &extremes(state, scene, area.width), &|_| Role::Plain, table);
+        page::draw(pen, &extremes(state, scene, area.width), 0, &|_| Role::Plain, table);
         return pen.paint(&figure(scene, &state.pictured()), charts);
     }
     let [title, charts] = parts(area);

@@ -47,8 +47,7 @@ pub(super) fn draw(pen: &mut Pen<'_>, scene: &Scene, area: Rect) {
             let lines = whole(state, scene, area.width);
             // The two drives have room below, or stand in the picture of this part.
             let rows = short(lines.len()) + 1;
-            let skip = state.chosen.line.min(lines.len().saturating_sub(area.height.into()));
-            page::draw(pen, &lines[skip..], &|_| Role::Plain, area);
+            page::draw(pen, &lines, state.chosen.line, &|_| Role::Plain, area);
             if area.height > rows + PLOTS {
                 let below = Rect { y: area.y + rows, height: area.height - rows, ..area };
                 pen.paint(&regime::drive(scene, &state.pictured(), state.part(View::Drive), 2), below);
@@ -64,9 +63,9 @@ fn overview(pen: &mut Pen<'_>, scene: &Scene, found: &Found, dynamics: &Dynamics
     let area = warned(pen, dynamics, area);
     let [left, right] = Layout::horizontal([Constraint::Length(LEFT), Constraint::Min(0)]).areas(area);
     let lines = motor_and_flywheel(state, found, dynamics);
-    page::draw(pen, &lines, &|_| Role::Plain, left);
+    page::draw(pen, &lines, 0, &|_| Role::Plain, left);
     let numbers = numbers(state, &found.analysis, right.width.saturating_sub(1));
-    page::draw(pen, &numbers, &|_| Role::Plain, right);
+    page::draw(pen, &numbers, 0, &|_| Role::Plain, right);
     let rows = short(lines.len().max(numbers.len())) + 1;
     if area.height > rows + PLOTS {
         let below = Rect { y: area.y + rows, height: area.height - rows, ..area };

@@ -88,7 +88,7 @@ fn draw_causes(pen: &mut Pen<'_>, scene: &Scene, found: &Found, area: Rect) {
     let lines = page::told(state, area.width.saturating_sub(2), |page| page.table(table));
     let rows = Constraint::Length(short(lines.len() + 1).min(below.height));
     let [rows, below] = Layout::vertical([rows, Constraint::Min(0)]).areas(below);
-    page::draw(pen, &lines, &|_| Role::Plain, rows);
+    page::draw(pen, &lines, 0, &|_| Role::Plain, rows);
     pen.paint(&figure(scene, &state.pictured(), ViewPart::Causes), below);
 }
 

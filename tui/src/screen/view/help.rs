@@ -55,12 +55,8 @@ pub(super) fn draw(pen: &mut Pen<'_>, area: Rect) {
             pen.put(inner, *column, short(line), text, *role);
         }
     }
-    let shown = help.scroll + usize::from(inner.height);
-    if rows.len() > shown || help.scroll > 0 {
-        let text = format!("{}-{} / {}", help.scroll + 1, shown.min(rows.len()), rows.len());
-        let column = area.width.saturating_sub(short(text.len()) + 2);
-        pen.put(area, column, 0, &text, Role::Plain);
-    }
+    let shown = rows.len().min(help.scroll + usize::from(inner.height));
+    pen.mark_rows(Rect { width: inner.width + 1, ..inner }, help.scroll..shown, rows.len());
 }
 
 fn rows(state: &State, help: &Help) -> Vec<Pieces> {

@@ -13,7 +13,7 @@ pub(crate) mod mechanism;
 mod motion;
 mod page;
 pub(crate) mod picker;
-mod plans;
+pub(crate) mod plans;
 pub(crate) mod report;
 mod structure;
 mod table;

@@ -34,7 +34,7 @@ pub(super) fn draw(pen: &mut Pen<'_>, scene: &Scene, area: Rect) {
     let lines = numbers(state, &found.analysis, NUMBERS - 1);
     let width = if lines.is_empty() { 0 } else { NUMBERS };
     let [charts, numbers] = Layout::horizontal([Constraint::Min(0), Constraint::Length(width)]).areas(area);
-    page::draw(pen, &lines, &|_| Role::Plain, numbers);
+    page::draw(pen, &lines, 0, &|_| Role::Plain, numbers);
     let most = usize::from(charts.height.saturating_sub(2) / LEAST_ROWS);
     pen.paint(&figure(scene, &state.pictured(), state.part(View::Motion), most), charts);
 }
@@ -42,10 +42,9 @@ pub(super) fn draw(pen: &mut Pen<'_>, scene: &Scene, area: Rect) {
 /// How the regime was found, as the report tells it, and below it the same as curves where there is room.
 fn iteration(pen: &mut Pen<'_>, scene: &Scene, found: &Found, area: Rect) {
     let lines = told(pen.state, scene, found, area.width);
-    let skip = pen.state.chosen.line.min(lines.len().saturating_sub(area.height.into()));
     let rows = Constraint::Length(short(lines.len()) + 1);
     let [table, below] = Layout::vertical([rows, Constraint::Min(0)]).areas(area);
-    page::draw(pen, &lines[skip..], &|_| Role::Plain, table);
+    page::draw(pen, &lines, pen.state.chosen.line, &|_| Role::Plain, table);
     if below.height >= ITERATION {
         pen.paint(
             &Figure { columns: 2, ..figure(scene, &pen.state.pictured(), ViewPart::Iteration, usize::MAX) },

@@ -24,8 +24,21 @@ pub(super) fn some_facts(state: &State, width: u16, facts: Vec<Fact>, ids: &[&st
     told(state, width, |page| page.facts(Text::default(), shown))
 }
 
-/// Draws lines from the first one that is shown; `of_row`: the role of the row of a table.
-pub(super) fn draw(pen: &mut Pen<'_>, lines: &[Line], of_row: &dyn Fn(usize) -> Role, area: Rect) {
+/// Draws lines from one of them on, as far as that fills the area; `of_row`: the role of the row of a table.
+pub(super) fn draw(
+    pen: &mut Pen<'_>,
+    lines: &[Line],
+    from: usize,
+    of_row: &dyn Fn(usize) -> Role,
+    area: Rect,
+) {
+    let height = usize::from(area.height);
+    let skip = from.min(lines.len().saturating_sub(height));
+    put(pen, &lines[skip..], of_row, area);
+    pen.mark_rows(area, skip..lines.len().min(skip + height), lines.len());
+}
+
+fn put(pen: &mut Pen<'_>, lines: &[Line], of_row: &dyn Fn(usize) -> Role, area: Rect) {
     let mut before = None;
     for (row, line) in lines.iter().take(area.height.into()).enumerate() {
         let role = match line.kind {
@@ -56,14 +69,11 @@ pub(super) fn draw_chosen(
     let last: usize =
         rest.chunk_by(|one, next| one.kind == next.kind).rev().take(pinned).map(<[Line]>::len).sum();
     let (rest, pinned) = rest.split_at(rest.len() - last.min(height));
-    let height = height - pinned.len();
     // What stands below the rows is in sight with the last one.
     let next = rest.iter().position(|line| line.kind == LineKind::Row(chosen + 1));
-    let skip = next.unwrap_or(rest.len()).saturating_sub(height);
-    let shown = head.iter().chain(rest.iter().skip(skip).take(height)).chain(pinned);
-    let shown: Vec<Line> = shown.cloned().collect();
+    let skip = next.unwrap_or(rest.len()).saturating_sub(height - pinned.len());
     let of_row = |row| if row == chosen { Role::Cursor } else { of_row(row) };
-    draw(pen, &shown, &of_row, area);
+    put_rows(pen, [head, rest, pinned], skip, &of_row, area);
 }
 
 /// Draws a table from one of its lines on, as far as that fills the area; its head stays.
@@ -71,8 +81,25 @@ pub(super) fn draw_from(pen: &mut Pen<'_>, lines: &[Line], from: usize, area: Re
     let (head, rest) = parts(lines);
     let height = usize::from(area.height).saturating_sub(head.len());
     let skip = from.min(rest.len().saturating_sub(height));
-    let shown: Vec<Line> = head.iter().chain(&rest[skip..]).cloned().collect();
-    draw(pen, &shown, &|_| Role::Plain, area);
+    put_rows(pen, [head, rest, &[]], skip, &|_| Role::Plain, area);
+}
+
+/// Draws a table without the first lines of its rows, between what stays above and below, and marks which rows are in sight.
+fn put_rows(
+    pen: &mut Pen<'_>,
+    [head, rest, pinned]: [&[Line]; 3],
+    skip: usize,
+    of_row: &dyn Fn(usize) -> Role,
+    area: Rect,
+) {
+    let room = usize::from(area.height).saturating_sub(head.len() + pinned.len());
+    let shown = &rest[skip..rest.len().min(skip + room)];
+    put(pen, &[head, shown, pinned].concat(), of_row, area);
+    let rows = |lines: &[Line]| lines.chunk_by(|one, next| one.kind == next.kind).count();
+    let (before, all) = (rows(&rest[..skip]), rows(rest));
+    let (top, height) = (short(head.len()).min(area.height), short(room).min(area.height));
+    let of_rows = Rect { y: area.y + top, height: height.min(area.height - top), ..area };
+    pen.mark_rows(of_rows, before..all.min(before + rows(shown)), all);
 }
 
 /// What stands above the rows of a table, and the rows.

@@ -4,13 +4,14 @@ use assur_book::{Block, Column, Table, row};
 use assur_diagram::{PlanVector, VectorPlan};
 use assur_force::Construction;
 use assur_picture::plans::{self, Shown, labelled, shown};
+use assur_report::text::Line;
 use assur_words::{Describe, Text, joined, name, number, quantity, text, unit};
 use ratatui::layout::{Constraint, Layout, Rect};
 
 use super::{advice, page};
 use crate::number::digits;
 use crate::screen::draw::{Pen, wrapped};
-use crate::screen::state::{Role, Scene, View, ViewPart};
+use crate::screen::state::{Role, Scene, State, View, ViewPart};
 
 /// Columns of the list beside the drawing.
 const LIST: u16 = 42;
@@ -43,9 +44,22 @@ fn lines_of(pen: &mut Pen<'_>, lines: &[(Role, String)], area: Rect) {
     pen.put_lines(cut, 1, lines);
 }
 
-/// The vectors of a plan, and its closure error.
-fn list_of_plan(pen: &mut Pen<'_>, plan: &VectorPlan, list: Rect) {
-    let state = pen.state;
+/// How many vectors of the plan that is shown are out of sight below the first ones.
+pub(crate) fn hidden(state: &State) -> usize {
+    let found = state.found();
+    let plans = found.map(|found| found.plans.at(state.position));
+    let Some((found, plans)) = found.zip(plans.as_ref()) else { return 0 };
+    match shown(found, &state.pictured(), state.part(View::Plans), plans) {
+        // The closure error stands below.
+        Shown::Plan(plan) => {
+            (vectors(state, plan, LIST).len() + 1).saturating_sub(super::room(state).height.into())
+        }
+        _ => 0,
+    }
+}
+
+/// The vectors of a plan in lines of a width.
+fn vectors(state: &State, plan: &VectorPlan, width: u16) -> Vec<Line> {
     let part = state.part(View::Plans);
     let heads = [Text::default(), text!("head-vector"), text!("head-size"), text!("head-unit")];
     let row = |(label, item): (String, &PlanVector)| {
@@ -53,17 +67,22 @@ fn list_of_plan(pen: &mut Pen<'_>, plan: &VectorPlan, list: Rect) {
     };
     let vectors = labelled(part, plan).into_iter().map(row);
     let table = Table::list(Text::default(), heads.map(Column::of)).rows(vectors);
-    let lines = page::told(state, list.width.saturating_sub(2), |page| {
+    page::told(state, width.saturating_sub(2), |page| {
         page.blocks.push(Block::Subheading(plan.title.clone()));
         if part == ViewPart::Forces {
             page.paragraph(text!("plans-key"));
         }
         page.table(table);
-    });
+    })
+}
+
+/// The vectors of a plan, and its closure error.
+fn list_of_plan(pen: &mut Pen<'_>, plan: &VectorPlan, list: Rect) {
+    let state = pen.state;
+    let lines = vectors(state, plan, list.width);
     // The closure error stands below; a long list must not push it out.
     let [above, below] = Layout::vertical([Constraint::Min(0), Constraint::Length(1)]).areas(list);
-    let chosen = if part == ViewPart::Forces { 0 } else { state.chosen.vector };
-    page::draw_from(pen, &lines, chosen, above);
+    page::draw_from(pen, &lines, state.chosen.vector, above);
     let open = number(format_args!("{:.1e}", plan.residual));
     let open = (Role::Header, state.told(text!("plans-open", open = open)));
     lines_of(pen, &[open], below);

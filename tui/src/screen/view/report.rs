@@ -22,6 +22,7 @@ pub(super) fn draw(pen: &mut Pen<'_>, view: View, area: Rect) {
     for (row, line) in lines.iter().skip(skip).take(height).enumerate() {
         pen.put(area, 1, short(row) + top, line, Role::Plain);
     }
+    pen.mark_rows(area, skip..lines.len().min(skip + height), lines.len());
 }
 
 /// How far the measurement is, or what starts it.

@@ -48,8 +48,9 @@ pub(super) fn draw(pen: &mut Pen<'_>, scene: &Scene, area: Rect) {
     let first = lines.iter().position(|line| line.0 == Role::Cursor).unwrap_or(0);
     let height = usize::from(tree.height);
     let skip = (first + 10).saturating_sub(height).min(lines.len().saturating_sub(height));
-    let tree = Rect { width: tree.width.saturating_sub(1), ..tree };
-    pen.put_lines(tree, 1, lines.iter().skip(skip).take(height));
+    let text = Rect { width: tree.width.saturating_sub(1), ..tree };
+    pen.put_lines(text, 1, lines.iter().skip(skip).take(height));
+    pen.mark_rows(tree, skip..lines.len().min(skip + height), lines.len());
     pen.paint_zoomed(&structure(scene, &state.pictured()), state.zoom, drawing);
 }
 

@@ -42,7 +42,8 @@ pub(super) fn draw(pen: &mut Pen<'_>, scene: &Scene, area: Rect) {
     }
     let below = Rect { y: area.bottom() - 1, height: 1, ..area };
     status(pen, scene, &columns, below);
-    scroll_bar(pen, area, skip, height, order.len());
+    let rows = Rect { y: area.y + 2, height: short(height), ..area };
+    pen.mark_rows(rows, skip..order.len().min(skip + height), order.len());
 }
 
 fn draw_row(pen: &mut Pen<'_>, scene: &Scene, position: usize, columns: &[(usize, u16)], area: Rect) {
@@ -122,15 +123,4 @@ fn status(pen: &mut Pen<'_>, scene: &Scene, columns: &[(usize, u16)], area: Rect
     }
     let text = cut(&text, usize::from(area.width.saturating_sub(2)));
     pen.put(area, 1, 0, &text, Role::Dim);
-}
-
-fn scroll_bar(pen: &mut Pen<'_>, area: Rect, skip: usize, shown: usize, count: usize) {
-    if count <= shown || shown == 0 || area.width == 0 {
-        return;
-    }
-    let (from, to) = (skip * shown / count, ((skip + shown) * shown).div_ceil(count));
-    for row in 0..shown {
-        let sign = if (from..to).contains(&row) { "█" } else { "│" };
-        pen.put(area, area.width - 1, short(row) + 2, sign, Role::Plain);
-    }
 }
