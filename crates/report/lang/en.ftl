@@ -249,7 +249,7 @@ report-pairs = Pairs (R: revolute, P: prismatic)
 report-turning = R
 report-sliding = P
 report-multiple-joint = R, multiple joint
-report-groups = Assur groups in solving order (mode: the assembly mode in the first position, counted from 0)
+report-groups = Assur groups in solving order (mode: the assembly mode in the first position)
 report-task = Task
 report-task-text = The mechanism is calculated in { $positions ->
         [one] { $positions } position

@@ -255,7 +255,7 @@ report-pairs = Кинематические пары (В — вращатель�
 report-turning = В
 report-sliding = П
 report-multiple-joint = В, сложный шарнир
-report-groups = Группы Ассура в порядке решения (вариант: вариант сборки в первом положении, от 0)
+report-groups = Группы Ассура в порядке решения (вариант: вариант сборки в первом положении)
 report-task = Задание
 report-task-text = Механизм рассчитан в { $positions ->
         [one] { $positions } положении

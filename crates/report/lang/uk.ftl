@@ -255,7 +255,7 @@ report-pairs = Кінематичні пари (О — обертальна, П 
 report-turning = О
 report-sliding = П
 report-multiple-joint = О, складний шарнір
-report-groups = Групи Ассура в порядку розв'язання (варіант: варіант складання в першому положенні, від 0)
+report-groups = Групи Ассура в порядку розв'язання (варіант: варіант складання в першому положенні)
 report-task = Завдання
 report-task-text = Механізм розраховано в { $positions ->
         [one] { $positions } положенні

@@ -118,6 +118,11 @@ pub fn number(digits: impl Display) -> Text {
     Text(Content::Number(digits.to_string()))
 }
 
+/// The number of what results count from 0 and readers count from 1: of a mode of a group, a circuit, a branch.
+pub fn ordinal(index: usize) -> Text {
+    number(index + 1)
+}
+
 /// A unit by its English symbol: `kg m2/rad`.
 pub fn unit(symbol: impl Into<Cow<'static, str>>) -> Text {
     Text(Content::Unit(symbol.into()))

@@ -1,5 +1,5 @@
 group-rrp = two links, two pins and an outer slide
-    .ways = 0: the inner pin ahead of the foot of the outer pin, in the direction of the guide; 1: behind it
+    .ways = 1: the inner pin ahead of the foot of the outer pin, in the direction of the guide; 2: behind it
     .singular = the rod perpendicular to the guide
     .angle = pressure angle of the rod to the guide
     .source = S stage 2; theory of circle and line

@@ -1,5 +1,5 @@
 group-rrr = two links, three pins
-    .ways = 0: the inner pin left of the line from the outer pin of the first link to that of the second; 1: right
+    .ways = 1: the inner pin left of the line from the outer pin of the first link to that of the second; 2: right
     .singular = the links in one line, stretched or folded: sin(phi2 - phi1) = 0
     .angle = transmission angle between the links
     .source = S stage 2; theory of two circles

@@ -2,7 +2,7 @@
 
 use assur_group::{GroupError, Order};
 use assur_mechanism::{Motion, Range};
-use assur_words::{Describe, Text, degrees, joined, list, millimeters, number, quantity, text};
+use assur_words::{Describe, Text, degrees, joined, list, millimeters, number, ordinal, quantity, text};
 
 use super::Listed;
 use crate::Calculation;
@@ -48,8 +48,8 @@ impl Calculation {
                         position,
                         place,
                         condition,
-                        one = number(one),
-                        other = number(other)
+                        one = ordinal(one),
+                        other = ordinal(other)
                     ),
                     None => text!("analysis-nearly-singular", group = name, position, place, condition),
                 },

@@ -5,7 +5,7 @@ use assur_book::{Block, Column, Document, Table, Term, Unit, link_name, row};
 use assur_kinematics::{CourseEnd, Misfit, ModeMeeting, Unlisted};
 use assur_mechanism::Named;
 use assur_structure::roman;
-use assur_words::{Text, joined, list, name, number, text};
+use assur_words::{Text, joined, list, name, number, ordinal, text};
 use assur_worksheet::Symbol;
 
 use super::Source;
@@ -110,7 +110,7 @@ fn groups_of(structure: &StructureReport, page: &mut Document) {
         .column(text!("head-links"), |(_, group)| named(&group.links))
         .column(text!("head-inner"), |(_, group)| named(&group.inner))
         .column(text!("head-outer"), |(_, group)| named(&group.outer))
-        .column(text!("head-mode"), |(_, group)| group.mode.map(number))
+        .column(text!("head-mode"), |(_, group)| group.mode.map(ordinal))
         .column(text!("head-modes"), |(_, group)| group.mode_count.map(number));
     page.table(table.table());
 }
@@ -147,13 +147,13 @@ fn modes(group: &GroupModes, unit: Unit, page: &mut Document) {
         return page.paragraph(unlisted);
     };
     let table = Table::each(named, &group.courses.modes)
-        .column(text!("head-mode"), |mode| number(mode.way))
+        .column(text!("head-mode"), |mode| ordinal(mode.way))
         .measured(text!("head-from"), unit, |mode| mode.from)
         .measured(text!("head-to"), unit, |mode| mode.to)
         .column(text!("head-begins"), |mode| mode_end(mode.begins))
         .column(text!("head-ends"), |mode| mode_end(mode.ends))
-        .column(text!("head-circuit"), |mode| number(mode.circuit))
-        .column(text!("head-branch"), |mode| number(mode.branch));
+        .column(text!("head-circuit"), |mode| ordinal(mode.circuit))
+        .column(text!("head-branch"), |mode| ordinal(mode.branch));
     page.table(table.table());
     let counts = group.courses.counts.iter().map(|count| {
         text!("report-modes-from", count = number(count.modes), coordinate = unit.show(count.from))
@@ -161,10 +161,10 @@ fn modes(group: &GroupModes, unit: Unit, page: &mut Document) {
     page.paragraph(text!("report-modes-count", counts = joined("; ", counts)));
     page.paragraph(text!("report-modes-circuits", circuits, branches));
     if let Some(way) = group.way {
-        page.paragraph(text!("report-modes-present", mode = number(way)));
+        page.paragraph(text!("report-modes-present", mode = ordinal(way)));
     }
     let meeting = |meeting: &ModeMeeting| {
-        let [one, other] = meeting.ways.map(number);
+        let [one, other] = meeting.ways.map(ordinal);
         text!("report-modes-meeting", one, other, coordinate = unit.show(meeting.at))
     };
     if !group.courses.meetings.is_empty() {
@@ -176,7 +176,7 @@ fn modes(group: &GroupModes, unit: Unit, page: &mut Document) {
 fn mode_end(end: CourseEnd) -> Text {
     match end {
         CourseEnd::Cycle => text!("mode-end-cycle"),
-        CourseEnd::With(other) => text!("mode-end-with", mode = number(other)),
+        CourseEnd::With(other) => text!("mode-end-with", mode = ordinal(other)),
         CourseEnd::Infinity => text!("mode-end-infinity"),
         CourseEnd::Barrier => text!("mode-end-barrier"),
     }

@@ -228,7 +228,10 @@ pub(super) fn close(state: &mut State) {
     }
     if state.picker.is_some() {
         // Without a scene there is nothing behind the list of scenes.
-        state.picker.take_if(|_| state.scene.is_some());
+        match &state.scene {
+            Some(_) => state.picker = None,
+            None => whatif::quit(state),
+        }
     } else if state.fault.is_some() {
         state.fault = None;
     } else if state.values_open() {

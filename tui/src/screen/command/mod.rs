@@ -82,10 +82,9 @@ fn pass(state: &mut State, event: KeyEvent) {
         }
         None if state.help.is_some() => press_in_help(state, key),
         None if key.code == KeyCode::Tab && kind == Some(PickerKind::Scenes) => {
-            // A file of the user is completed on the line.
+            // A file of the user is named on the line.
             let typed = state.entry().map(|entry| format!("open {}", &**entry));
             state.open_prompt(PromptKind::Command, typed.unwrap_or_default());
-            complete(state, 1);
         }
         None if state.picker.is_some() => picker::press(state, key),
         None => state.fault = None,

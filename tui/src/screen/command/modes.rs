@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use assur_kinematics::Modes;
 use assur_mechanism::Point;
-use assur_words::{number, text};
+use assur_words::{ordinal, text};
 
 use super::whatif;
 use crate::screen::state::{Assembled, Role, Scene, State, round};
@@ -36,7 +36,7 @@ pub(super) fn take(state: &mut State) {
     let differs = whatif::assemble(state, &points);
     let (role, id) =
         if differs { (Role::Good, "say-mode-taken") } else { (Role::Plain, "say-mode-is-taken") };
-    state.say(role, text!(id, mode = number(way)));
+    state.say(role, text!(id, mode = ordinal(way)));
     state.chosen.mode = None;
 }
 
@@ -52,7 +52,7 @@ pub(super) fn keep(state: &mut State, coordinate: f64, before: &[Option<Arc<Mode
         let limit = if modes.all.len() < before.all.len() { VANISHED } else { f64::INFINITY };
         let Some(index) = before.present_after(&modes, limit, structure.scale) else {
             let name = structure.group_name(&scene.linkage.mechanism, group);
-            let way = number(modes.number(modes.present));
+            let way = ordinal(modes.number(modes.present));
             return state.say(Role::Bad, text!("say-mode-vanished", group = name, mode = way));
         };
         if index != modes.present {

@@ -315,7 +315,7 @@ fn modes_of_a_group_are_shown_one_after_the_other_and_one_is_taken() {
         for step in 1..=count {
             press(&mut state, "]");
             let frame = text(&state, 80, 40);
-            assert!(frame.contains(&format!("shown: mode {}", (first + step) % count)), "{frame}");
+            assert!(frame.contains(&format!("shown: mode {}", (first + step) % count + 1)), "{frame}");
         }
         press(&mut state, "] A");
         assert_eq!(present(&state), ((first + 1) % count, count));

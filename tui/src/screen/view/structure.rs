@@ -2,7 +2,7 @@
 
 use assur_picture::mechanism::structure;
 use assur_report::topic;
-use assur_words::{self as words, Text, list, name, number, text};
+use assur_words::{self as words, Text, list, name, number, ordinal, text};
 use ratatui::layout::{Constraint, Layout, Rect};
 
 use crate::number::{digits, plain};
@@ -113,11 +113,11 @@ fn details(state: &State, scene: &Scene, group: &assur_structure::Group, index: 
     ];
     if let Some(pose) = scene.pose(position, 0.0) {
         if let Some(modes) = scene.modes(index, position) {
-            let (mode, count) = (number(modes.number(modes.present)), number(modes.all.len()));
+            let (mode, count) = (ordinal(modes.number(modes.present)), number(modes.all.len()));
             lines.push(text!("structure-mode-of", mode = mode, count = count));
             let shown = state.mode_of(index).and_then(|shown| Some((shown, modes.all.get(shown)?)));
             if let Some((shown, found)) = shown {
-                let (mode, take) = (number(modes.number(shown)), name(state.keys.first("take-mode")));
+                let (mode, take) = (ordinal(modes.number(shown)), name(state.keys.first("take-mode")));
                 let determinant = number(plain(found.health));
                 lines.push(text!("structure-mode", mode = mode, determinant = determinant, key = take));
             } else if modes.all.len() > 1 && position == 0 {
