@@ -5,12 +5,11 @@ use std::path::Path;
 use assur_figure::{Figure, svg};
 use assur_picture::{Look, Picture, Results, ViewPart};
 use assur_png as png;
+use assur_scene::nearest;
 use assur_words::{Describe, Language, Text, Told, joined, list, name, number, text};
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use strum::VariantNames;
-
-use crate::screen::suggestion;
 
 /// Width and height of a page, mm: what A4 leaves between its margins, in a good ratio.
 pub(crate) const PAGE: [f64; 2] = [160.0, 120.0];
@@ -73,6 +72,12 @@ pub(crate) fn picture(
         "png" => png::write(figure, size, language).map_err(|error| error.describe()),
         _ => Err(text!("say-picture-ending", file = name(path.display().to_string()))),
     }
+}
+
+/// `; did you mean ...?` or nothing.
+pub(crate) fn suggestion(word: &str, known: &[String]) -> Text {
+    let near = nearest(word, known.iter().map(String::as_str));
+    near.map_or_else(Text::default, |near| text!("say-offer", offer = name(near.to_owned())))
 }
 
 #[derive(Debug)]

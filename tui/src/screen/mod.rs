@@ -26,7 +26,6 @@ use std::path::PathBuf;
 
 use assur_words::{Text, text, text_of};
 use command::COMMANDS;
-pub(crate) use command::suggestion;
 pub(crate) use config::{Config, default_text};
 use state::{Look, Marker, Scene, State, Theme};
 

@@ -2,7 +2,6 @@
 
 use assur_fixtures::SCENES;
 use assur_picture::{Look, Picture, find};
-use assur_scene::nearest;
 use assur_words::{self as words, Text, text};
 
 use super::{act, motors, picker, whatif, write};
@@ -10,6 +9,7 @@ use crate::screen::state::{
     Chosen, Group, Panels, Pictures, Role, SETTINGS, Scene, Source, State, View, Wanted,
 };
 use crate::screen::view::help::where_it_works;
+use crate::still::suggestion;
 
 /// Words of the line that take a value, and their values.
 fn takers(state: &State) -> Vec<(String, Vec<String>)> {
@@ -147,12 +147,6 @@ fn unknown_name(state: &mut State, word: &str, name: &str) {
     let taker = takers(state).into_iter().find(|(known, _)| *known == word);
     let offer = suggestion(name, &taker.map(|(_, values)| values).unwrap_or_default());
     state.say(Role::Bad, text!("say-no-such", words = words::name(format!("{word} {name}")), offer = offer));
-}
-
-/// `; did you mean ...?` or nothing.
-pub(crate) fn suggestion(name: &str, known: &[String]) -> Text {
-    let near = nearest(name, known.iter().map(String::as_str));
-    near.map_or_else(Text::default, |near| text!("say-offer", offer = words::name(near.to_owned())))
 }
 
 fn view(state: &mut State, name: &str) {

@@ -12,7 +12,6 @@ mod table;
 mod whatif;
 mod write;
 pub(crate) use jobs::take;
-pub(crate) use line::suggestion;
 pub(crate) use table::COMMANDS;
 
 use assur_words::{number, text};
