@@ -16,7 +16,7 @@ pub struct Modes {
 }
 
 impl Modes {
-    /// The number of a mode as the kind documents it, from 0.
+    /// The number of a mode in the order of its kind, from 0; a reader counts from 1.
     pub fn number(&self, index: usize) -> usize {
         if self.is_numbered { self.all[index].way } else { index }
     }

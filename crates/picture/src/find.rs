@@ -20,7 +20,6 @@ impl Look<'_> {
         told: impl Fn(&Text) -> String,
     ) -> Result<(), Vec<String>> {
         let names = self.names(results, shown, &told);
-        let steps = results.found.as_ref().map(|found| found.plans.at(self.position));
         let now = match shown {
             (Picture::Forces, _) => self.reaction,
             (Picture::Plans, ViewPart::Forces) => self.polygon,
@@ -38,7 +37,8 @@ impl Look<'_> {
             (Picture::Structure, _) => self.group = index,
             (Picture::Plans, _) => {
                 // With all its steps.
-                self.step = steps.and_then(|plans| plans.steps_of(index).last()).unwrap_or_default();
+                let plans = results.found.as_ref().map(|found| found.plans.at(self.position));
+                self.step = plans.and_then(|plans| plans.steps_of(index).last()).unwrap_or_default();
             }
             _ => {
                 self.column = index;
@@ -56,7 +56,7 @@ impl Look<'_> {
         told: &dyn Fn(&Text) -> String,
     ) -> Vec<Vec<String>> {
         let found = results.found.as_deref();
-        let plans = found.map(|found| found.plans.at(self.position));
+        let plans = || found.map(|found| found.plans.at(self.position));
         match (picture, part) {
             (Picture::Forces, _) => {
                 let series = |index: &usize| found.map(|found| found.series[*index].short.clone());
@@ -68,10 +68,12 @@ impl Look<'_> {
                 found.iter().flat_map(|found| &found.reactions).map(names).collect()
             }
             (Picture::Plans, ViewPart::Construction) => {
+                let plans = plans();
                 let all = plans.iter().flat_map(|plans| &plans.constructions);
                 all.map(|(method, drawn)| vec![(*method).to_owned(), told(&drawn.title)]).collect()
             }
             (Picture::Plans, ViewPart::Forces) => {
+                let plans = plans();
                 let sheet = plans.as_ref().and_then(|plans| plans.sheet.as_ref().ok());
                 let all = sheet.iter().flat_map(|sheet| &sheet.polygons);
                 all.map(|polygon| vec![told(&polygon.title)]).collect()

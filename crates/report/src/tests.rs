@@ -141,9 +141,15 @@ fn a_quantity_of_which_no_topic_tells_stands_in_the_text() {
     let analysis = Analysis { positions, ..analysis(1.5) };
     let scene = assur_scene::read("shaper", assur_fixtures::scene("shaper")).unwrap();
     let linkage = assur_kinematics::Linkage::compile(scene).unwrap();
-    let text = crate::text::report(&analysis, &linkage, None, crate::text::Style::english()).unwrap();
-    let (_, further) = text.split_once("Further quantities").unwrap();
-    assert!(further.contains("efficiency") && further.contains("0.375"), "{further}");
+    let english = crate::text::Style::english();
+    let text = crate::text::report(&analysis, &linkage, None, english).unwrap();
+    // The note tells of it alone, among other topics than those of the report.
+    let source = crate::topic::Source::of(&analysis, &linkage, None);
+    let alone = crate::text::told(english, |page| crate::topic::further(&source, page));
+    for text in [text, alone] {
+        let (_, further) = text.split_once("Further quantities").unwrap();
+        assert!(further.contains("efficiency") && further.contains("0.375"), "{further}");
+    }
 }
 
 #[test]
