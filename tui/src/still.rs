@@ -132,6 +132,12 @@ pub(crate) fn draw(
     let part = request.view.part(results, &look, wanted);
     let picked = choose(results, request, part, &mut look, language)?;
     look.picked = &picked;
+    // Several lie over each other as curves, and have no other part.
+    let curves = [ViewPart::Overview, ViewPart::Curves];
+    if let Some(wanted) = wanted.filter(|wanted| picked.len() > 1 && !curves.contains(wanted)) {
+        let parts = list(curves.map(|part| name(<&str>::from(part))));
+        return Err(text!("draw-no-part", part = name(<&str>::from(wanted)), parts).into());
+    }
     let part = request.view.part(results, &look, wanted);
     if let Some(step) = request.step {
         look.step = step_of(results, &look, (request.view, part), step)?;

@@ -162,3 +162,29 @@ fn a_position_that_does_not_assemble_has_no_plans() {
     let text = String::from_utf8(output.stdout).unwrap();
     assert!(text.is_ascii() && text.contains("Plans of position 1") && !text.contains("Plans of position 2"));
 }
+
+#[test]
+fn several_reactions_are_drawn_together_with_their_values() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("a.svg");
+    let draw = |more: &[&str]| {
+        let output = path.to_str().unwrap();
+        assur(&[&["draw", "shaper.toml", "--view", "forces", "-o", output], more].concat())
+    };
+    assert_eq!(draw(&["--show", "C on rocker, A"]).status.code(), Some(0));
+    let drawn = std::fs::read_to_string(&path).unwrap();
+    let found = json(&["analyze", "shaper.toml"]);
+    for (pair, link) in [("C", "rocker"), ("A", "crank")] {
+        let [x, y] = vector(&found["positions"][0]["reactions"][pair][link]);
+        let key = format!("{pair} on {link} F force, N: {:.3}", x.hypot(y));
+        assert!(drawn.contains(&key), "{key}");
+    }
+    for (more, problem) in [
+        (&["--show", "C on rockr"][..], "`C on rockr` was not found; did you mean `C on rocker`?"),
+        (&["--show", "A,C", "--part", "hodograph"], "there is no part `hodograph`"),
+    ] {
+        let output = draw(more);
+        let told = String::from_utf8(output.stderr).unwrap();
+        assert!(output.status.code() == Some(2) && told.contains(problem), "{told}");
+    }
+}

@@ -1,11 +1,12 @@
 //! Lists to choose from, several views at once, and what closes what is open.
 
+use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 use ratatui::layout::Rect;
 
 use super::{View, empty, opened, press, scene, settle, text, write};
 use crate::number::number as plain;
 use crate::screen::command;
-use crate::screen::state::{PickerKind, State, ViewPart};
+use crate::screen::state::{Effect, PickerKind, State, ViewPart};
 use crate::screen::view;
 
 fn type_in(state: &mut State, letters: &str) {
@@ -399,4 +400,16 @@ fn rows_out_of_sight_are_counted_and_reached() {
     assert!(text(&state, 80, 24).contains("input link"));
     press(&mut state, "Up");
     assert!(text(&state, 80, 24).contains("F1 "));
+}
+
+#[test]
+fn escape_leaves_the_first_list_and_tab_names_no_scene() {
+    let mut state = empty(None);
+    command::start(&mut state);
+    press(&mut state, "Tab");
+    assert_eq!(state.prompt.as_ref().map(|prompt| &*prompt.text), Some("open "));
+    press(&mut state, "Esc");
+    assert!(state.picker.is_some() && state.prompt.is_none());
+    command::press(&mut state, KeyEvent::new(KeyCode::Esc, KeyModifiers::NONE));
+    assert!(matches!(state.effects[..], [Effect::Quit]));
 }
