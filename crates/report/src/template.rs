@@ -15,7 +15,11 @@ impl Template {
     /// Writes a row; `write` writes a number.
     pub(crate) fn write(&self, table: &Table, row: usize, out: &mut Vec<u8>, write: fn(f64, &mut Vec<u8>)) {
         for (text, column) in &self.pieces {
-            out.extend_from_slice(text.as_bytes());
+            match text.as_bytes() {
+                // A comma, in most places.
+                [byte] => out.push(*byte),
+                text => out.extend_from_slice(text),
+            }
             write(table.values(*column)[row], out);
         }
         out.extend_from_slice(self.end.as_bytes());

@@ -25,10 +25,11 @@ pub(super) fn speeds(to: &mut impl Sink) {
 /// Angles of the links, in (-pi, pi], and their derivatives.
 pub(super) fn links(wanted: &Wanted, to: &mut impl Sink) {
     for link in wanted.links.iter().copied() {
-        let of = |order| [Column::of(Quantity::Transfer(order), Owner::Link(link))];
-        to.always(of(0), |rows| [rows.angle(link)]);
-        to.always(of(1), |rows| [rows.position.bodies[link].w1]);
-        to.always(of(2), |rows| [rows.position.bodies[link].w2]);
+        let columns = [0, 1, 2].map(|order| Column::of(Quantity::Transfer(order), Owner::Link(link)));
+        to.always(columns, |rows| {
+            let body = &rows.position.bodies[link];
+            [rows.angle(link), body.w1, body.w2]
+        });
     }
 }
 
@@ -42,20 +43,23 @@ pub(super) fn places(wanted: &Wanted, to: &mut impl Sink) {
 /// Where the points are, and the derivatives.
 pub(super) fn points(wanted: &Wanted, to: &mut impl Sink) {
     for (id, at) in &wanted.points {
-        let of = |order| Column::vector(Quantity::Transfer(order), Owner::Point(*id));
-        to.always(of(0), |rows| rows.point(at).pf0);
-        to.always(of(1), |rows| rows.point(at).pf1);
-        to.always(of(2), |rows| rows.point(at).pf2);
+        let [[x0, y0], [x1, y1], [x2, y2]] =
+            [0, 1, 2].map(|order| Column::vector(Quantity::Transfer(order), Owner::Point(*id)));
+        to.always([x0, y0, x1, y1, x2, y2], |rows| {
+            let PointMotion { pf0: [x0, y0], pf1: [x1, y1], pf2: [x2, y2] } = rows.point(at);
+            [x0, y0, x1, y1, x2, y2]
+        });
     }
 }
 
 /// Displacements of the slides, and their derivatives.
 pub(super) fn slides(wanted: &Wanted, to: &mut impl Sink) {
     for slide in wanted.slides.iter().copied() {
-        let of = |order| [Column::of(Quantity::Transfer(order), Owner::Slide(slide))];
-        to.always(of(0), |rows| [rows.slide(slide).pf0]);
-        to.always(of(1), |rows| [rows.slide(slide).pf1]);
-        to.always(of(2), |rows| [rows.slide(slide).pf2]);
+        let columns = [0, 1, 2].map(|order| Column::of(Quantity::Transfer(order), Owner::Slide(slide)));
+        to.always(columns, |rows| {
+            let ScalarMotion { pf0, pf1, pf2 } = rows.slide(slide);
+            [pf0, pf1, pf2]
+        });
     }
 }
 

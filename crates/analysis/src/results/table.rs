@@ -197,17 +197,22 @@ impl Cells<'_> {
         let is_full = section == Section::ALWAYS;
         let values =
             if is_full { values } else { Lanes::of(|lane| if has[lane] { values.0[lane] } else { 0.0 }) };
-        let column = &mut self.table.columns[self.column];
+        let Table { columns, present, .. } = &mut *self.table;
+        let (column, present) = (&mut columns[self.column], &mut present[section.0]);
+        self.column += 1;
+        let rows = || (0..Lanes::WIDTH).filter(|lane| self.rows[*lane]);
         if self.all {
             column.extend_from_slice(&values.0);
         } else {
-            column.extend(values.0.iter().zip(self.rows).filter(|(_, row)| *row).map(|(value, _)| *value));
+            column.extend(rows().map(|lane| values.0[lane]));
         }
-        self.column += 1;
-        if !is_full {
-            let rows = self.rows.iter().zip(has).filter(|(row, _)| **row).map(|(_, has)| has);
-            let last = self.table.present[section.0].iter_mut().rev();
-            last.zip(rows.rev()).for_each(|(present, has)| *present = has);
+        match present.last_chunk_mut() {
+            _ if is_full => {}
+            Some(last) if self.all => *last = has,
+            _ => {
+                let first = present.len() - rows().count();
+                present[first..].iter_mut().zip(rows()).for_each(|(present, lane)| *present = has[lane]);
+            }
         }
     }
 }
