@@ -343,7 +343,7 @@ fn the_report_tells_motion_and_drive() {
         "Trials of ratio and flywheel",
         "Drive and flywheel",
         "Mertsalov",
-        "The two places of the flywheel",
+        "The two possible locations of the flywheel",
         "Warning: starting torque",
         "reduced to point A",
     ] {

@@ -68,7 +68,7 @@ fn the_report_begins_with_what_is_asked_for_first() {
     };
     // The rocker of 700 mm swings as far as the crank of 100 mm turns it about a point 400 mm away: 2 * 700 * 100 / 400.
     assert_eq!(value("stroke of ram/ground, dead points"), "350");
-    assert_eq!(value("coefficient of speed fluctuation"), "0.05");
+    assert_eq!(value("unevenness"), "0.05");
     // The speed is kept in the mean: 60 rpm.
     assert_eq!(value("mean speed"), "6.28319");
     let checks = page.lines().find(|line| line.starts_with("checks passed")).unwrap();

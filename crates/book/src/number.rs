@@ -36,7 +36,7 @@ impl Digits {
         if !value.is_finite() {
             return name(NONE);
         }
-        let [clean, largest] = [value, largest].map(|value| beside(kind, value));
+        let [clean, largest] = [value, largest].map(|value| zero_if_rounding(value, kind));
         number(match self {
             Self::Ratio if is_rounding(value, kind) => short(value),
             Self::Even | Self::Ratio => digits(clean, largest),
@@ -48,8 +48,8 @@ impl Digits {
     }
 }
 
-/// A number beside the greatest of its kind: zero where it is rounding.
-pub fn beside(greatest: f64, value: f64) -> f64 {
+/// A number, or zero where it is only rounding of the greatest of its kind.
+pub fn zero_if_rounding(value: f64, greatest: f64) -> f64 {
     if is_rounding(value, greatest) { 0.0 } else { value }
 }
 

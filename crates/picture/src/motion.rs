@@ -1,7 +1,7 @@
 //! The motion over the positions, or over its samples: coordinate, speed, acceleration, energies over time, moments of the loads over its way.
 
 use assur_analysis::results::{Column, Owner, Quantity};
-use assur_book::{Course, catalogue};
+use assur_book::{Course, Unit, catalogue};
 use assur_figure::number::number;
 use assur_figure::{Axis, Cursor, Figure, Panel};
 use assur_report::topic;
@@ -15,7 +15,7 @@ pub fn figure(results: &Results, look: &Look<'_>, part: ViewPart, most: usize) -
     let regime = found.analysis.dynamics.as_ref().map(|dynamics| &dynamics.regime);
     let panels = match (regime, part) {
         (_, ViewPart::Reduction) => reduction::panels(results, look, found),
-        (Some(regime), ViewPart::Iteration) => regime::iteration(regime),
+        (Some(regime), ViewPart::Iteration) => regime::iteration(regime, found.linkage.angular()),
         (Some(regime), ViewPart::Course) => regime::course(found, regime, look),
         (_, part) if part != ViewPart::Overview || found.motion.is_empty() => over_time(found, look),
         _ => {
@@ -49,11 +49,11 @@ pub fn not_found(reason: &Text, between: &'static str) -> Text {
 
 fn over_time(found: &Found, look: &Look<'_>) -> Vec<Panel> {
     let analysis = &found.analysis;
-    let q = if analysis.input.angular { "rad" } else { "m" };
+    let [speed, acceleration] = Unit::rates(analysis.input.angular);
     let all = [
-        ("motion-coordinate", q.to_owned(), Quantity::Transfer(0)),
-        ("motion-speed", format!("{q}/s"), Quantity::Velocity),
-        ("motion-acceleration", format!("{q}/s2"), Quantity::Acceleration),
+        ("motion-coordinate", plots::raw_coordinate(&found.linkage), Quantity::Transfer(0)),
+        ("motion-speed", speed.name, Quantity::Velocity),
+        ("motion-acceleration", acceleration.name, Quantity::Acceleration),
     ];
     let time = Column::of(Quantity::Time, Owner::Input);
     let Some(last) = analysis.trajectory.len().checked_sub(1) else { return Vec::new() };
@@ -61,7 +61,7 @@ fn over_time(found: &Found, look: &Look<'_>) -> Vec<Panel> {
     let Some(now) = analysis.trajectory.get(row, time) else { return Vec::new() };
     let times = (0..=last).filter_map(|row| analysis.trajectory.get(row, time));
     let x = Axis::around(text!("motion-time"), times, 0.0);
-    let panel = |(told, unit, of): (&'static str, String, Quantity)| {
+    let panel = |(told, unit, of): (&'static str, &'static str, Quantity)| {
         let course = plots::sampled(found, time, of);
         let value = course.between(now).unwrap_or(f64::NAN);
         let cursor = Cursor { at: now, value: quantity(number(value), unit) };
@@ -92,11 +92,12 @@ fn loads_over_way(found: &Found, row: usize) -> Option<Panel> {
     let owners = schema.owners(Quantity::ReducedLoad);
     let curves: Vec<(Text, Course)> = owners.into_iter().filter_map(curve).take(MOST).collect();
     let now = table.get(row, place).filter(|_| !curves.is_empty())?;
-    let unit = if analysis.input.angular { "rad" } else { "m" };
-    let told = list([text!("motion-coordinate"), words::unit(unit)]);
+    let told = list([text!("motion-coordinate"), words::unit(plots::raw_coordinate(&found.linkage))]);
     let x = Axis::around(told, (0..table.len()).filter_map(|row| table.get(row, place)), 0.0);
     // Several curves name themselves.
     let alone = curves.iter().map(|(told, _)| told.clone()).filter(|_| curves.len() == 1);
-    let title = joined(": ", std::iter::once(text!("motion-loads")).chain(alone));
+    let angular = analysis.input.angular;
+    let told = if angular { text!("motion-loads") } else { text!("motion-forces") };
+    let title = joined(": ", std::iter::once(plots::titled(told, Unit::load(angular))).chain(alone));
     Some(plots::curves(title, curves, (x, 1.0), Some(now.into())))
 }

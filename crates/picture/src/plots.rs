@@ -1,11 +1,11 @@
 //! Panels of figures: curves over the positions or over time, and vectors in a plane of their own.
 
 use assur_analysis::results::{Column, Owner, Quantity, Table};
-use assur_book::{Course, Node};
+use assur_book::{Course, Node, Unit};
 use assur_figure::number::digits;
 use assur_figure::{Axis, AxisKind, Bounds, Cursor, Frame, Ink, Item, Panel, Point, Sign, Stroke};
 use assur_kinematics::Linkage;
-use assur_words::{Text, joined, name, number, text, unit};
+use assur_words::{Text, joined, list, name, number, text, unit};
 
 use crate::{Found, Look, Series, coordinate_at, coordinate_unit};
 
@@ -69,7 +69,7 @@ pub fn over_positions(
     Panel { title, frame: Frame::Axes { x, y, cursor }, items }
 }
 
-/// At most three courses, each with its name; where there are several, with a number on them. `factor`: from SI to the unit of
+/// Courses, at most as many as there are [`STYLES`], each with its name; where there are several, with a number on them. `factor`: from SI to the unit of
 /// the horizontal axis.
 pub(crate) fn curves(
     title: Text,
@@ -102,6 +102,16 @@ pub(crate) fn curves(
     let points = || items.iter().flat_map(Item::points);
     let y = Axis::around(Text::default(), points().map(|at| at[1]), 0.0);
     Panel { title, frame: Frame::Axes { x, y, cursor }, items }
+}
+
+/// A quantity with its unit: `input speed, rad/s`.
+pub(crate) fn titled(told: Text, of: Unit) -> Text {
+    list([told, unit(of.name)])
+}
+
+/// The SI unit of the coordinate, in which a motion over time has it.
+pub(crate) fn raw_coordinate(linkage: &Linkage) -> &'static str {
+    if linkage.angular() { "rad" } else { "m" }
 }
 
 /// A name behind its number: `2 resistance`.

@@ -4,7 +4,7 @@
 use assur_analysis::results::{
     Column, Dynamics, EnergyMass, Owner, Quantity, RegimeOverCycle, RegimeState, Table, Trial,
 };
-use assur_book::{Course, Jump};
+use assur_book::{Course, Jump, Unit};
 use assur_figure::number::{digits, plain};
 use assur_figure::{
     Axis, AxisKind, Bounds, Figure, Frame, Ink, Item, Key, Panel, Point, Sample, Sign, Stroke,
@@ -19,7 +19,7 @@ pub fn drive(results: &Results, look: &Look<'_>, part: ViewPart, columns: usize)
     let Some(found) = &results.found else { return Figure::default() };
     let Some(dynamics) = &found.analysis.dynamics else { return Figure::default() };
     let panels = match part {
-        ViewPart::EnergyMass => vec![energy_mass(&dynamics.energy_mass)],
+        ViewPart::EnergyMass => vec![energy_mass(&dynamics.energy_mass, found.linkage.angular())],
         ViewPart::Reduction => reduction::link(results, look, found).into_iter().collect(),
         ViewPart::Inertia => {
             let (panel, legend) = shares(found, dynamics, look);
@@ -58,7 +58,7 @@ pub(crate) fn course(found: &Found, regime: &RegimeOverCycle, look: &Look<'_>) -
         lines.push((text!("regime-first-turn"), first_turn));
     }
     let now = cursor(&found.linkage, look);
-    let title = text!("regime-input-speed");
+    let title = plots::titled(text!("regime-input-speed"), Unit::rates(found.linkage.angular())[0]);
     let speed = plots::curves(title, lines, axis(&found.linkage), Some(now.into()));
     let energies = plots::energies(found, Column::COORDINATE, axis(&found.linkage), now);
     [speed, moments(found, regime, look)].into_iter().chain(energies).collect()
@@ -93,8 +93,10 @@ pub(crate) fn moments(found: &Found, regime: &RegimeOverCycle, look: &Look<'_>) 
     };
     let area = found.analysis.dynamics.as_ref().and_then(|found| excess(found, [&lines[0].1, &lines[1].1]));
     let (x, factor) = axis(&found.linkage);
-    let mut panel =
-        plots::curves(text!("regime-moments"), lines, (x, factor), Some(cursor(&found.linkage, look).into()));
+    let angular = found.linkage.angular();
+    let told = if angular { text!("regime-moments") } else { text!("regime-forces") };
+    let title = plots::titled(told, Unit::load(angular));
+    let mut panel = plots::curves(title, lines, (x, factor), Some(cursor(&found.linkage, look).into()));
     if let Some((mut outline, work)) = area {
         for at in &mut outline {
             at[0] *= factor;
@@ -172,9 +174,10 @@ fn mark_section(panel: &mut Panel, dynamics: &Dynamics, section: &[[f64; 2]]) {
 }
 
 /// Work of all loads over the reduced inertia of the links, with the tangents that belong to the least and the greatest speed.
-pub(crate) fn energy_mass(diagram: &EnergyMass) -> Panel {
+pub(crate) fn energy_mass(diagram: &EnergyMass, angular: bool) -> Panel {
     let inertias = || diagram.curve.iter().map(|at| at[0]);
-    let x = Axis::around(text!("regime-links-inertia"), inertias(), 0.0);
+    let told = if angular { text!("regime-links-inertia") } else { text!("regime-links-mass") };
+    let x = Axis::around(plots::titled(told, Unit::inertias(angular)[0]), inertias(), 0.0);
     let [x0, y0] = diagram.origin;
     let line =
         |slope: f64| Course::from_points(x.range.map(|inertia| [inertia, y0 + slope * (inertia - x0)]));
@@ -202,6 +205,7 @@ pub(crate) fn shares(found: &Found, dynamics: &Dynamics, look: &Look<'_>) -> (Pa
         Some(dynamics.regime.found.drive_inertia + sum)
     };
     let (_, factor) = coordinate_unit(&found.linkage);
+    let [inertia, _] = Unit::inertias(found.linkage.angular());
     let (mut items, mut samples) = (Vec::new(), Vec::new());
     for count in 0..=links.len() {
         let value = |table: &Table, row: usize| level(table, row, count);
@@ -222,25 +226,25 @@ pub(crate) fn shares(found: &Found, dynamics: &Dynamics, look: &Look<'_>) -> (Pa
     let names: Vec<Text> = names.enumerate().map(|(at, told)| plots::numbered(at, told)).collect();
     let title = text!("regime-shares", names = joined("  ", names.iter().cloned()));
     let key = |((sample, now), told): ((Sample, Option<f64>), Text)| {
-        let now = now.map(|now| quantity(digits(now, 6), "kg m2"));
+        let now = now.map(|now| inertia.show(now));
         Key { sample, text: joined(": ", std::iter::once(told).chain(now)) }
     };
     let legend = samples.into_iter().zip(names).map(key).collect();
-    let y = Axis::around(unit("kg m2"), values, 0.0);
+    let y = Axis::around(unit(inertia.name), values, 0.0);
     let (x, cursor) = (plots::coordinate_axis(&found.linkage), Some(cursor(&found.linkage, look).into()));
     let frame = Frame::Axes { x, y, cursor };
     (Panel { title, frame, items }, legend)
 }
 
 /// The iteration to the periodic regime, and the trials of ratio and flywheel, as parts of the values found (S fig. 10).
-pub(crate) fn iteration(regime: &RegimeOverCycle) -> Vec<Panel> {
+pub(crate) fn iteration(regime: &RegimeOverCycle, angular: bool) -> Vec<Panel> {
     let curve = |told: &'static str, values: Vec<f64>| {
         let points = values.into_iter().enumerate().map(|(at, y)| [(at + 1) as f64, y]);
         (text!(told), Course::from_points(points))
     };
-    let panel = |title: &'static str, label: &'static str, count: usize, curves| {
+    let panel = |title: Text, label: &'static str, count: usize, curves| {
         let x = Axis { kind: AxisKind::Whole, ..Axis::around(text!(label), [1.0, count.max(2) as f64], 0.0) };
-        plots::curves(text!(title), curves, (x, 1.0), None)
+        plots::curves(title, curves, (x, 1.0), None)
     };
     let (turns, trials) = (&regime.found.iterations, &regime.found.trials);
     let mut panels = Vec::new();
@@ -249,7 +253,8 @@ pub(crate) fn iteration(regime: &RegimeOverCycle) -> Vec<Panel> {
             curve("regime-start", turns.iter().map(|turn| turn.speed_start).collect()),
             curve("regime-end", turns.iter().map(|turn| turn.speed_end).collect()),
         ];
-        panels.push(panel("regime-ends", "regime-cycle", turns.len(), ends));
+        let title = plots::titled(text!("regime-ends"), Unit::rates(angular)[0]);
+        panels.push(panel(title, "regime-cycle", turns.len(), ends));
     }
     let Some(last) = trials.last() else { return panels };
     let part = |read: &dyn Fn(&Trial) -> f64| trials.iter().map(|trial| read(trial) / read(last)).collect();
@@ -261,6 +266,6 @@ pub(crate) fn iteration(regime: &RegimeOverCycle) -> Vec<Panel> {
         curves.push(curve("regime-flywheel", part(&|trial| trial.flywheel)));
     }
     curves.push(curve("regime-unevenness", part(&|trial| trial.unevenness)));
-    panels.push(panel("regime-parts", "regime-trial", trials.len(), curves));
+    panels.push(panel(text!("regime-parts"), "regime-trial", trials.len(), curves));
     panels
 }

@@ -40,7 +40,7 @@ pub(crate) struct Layout {
     pub(crate) analyzer: Option<&'static str>,
 }
 
-/// What has columns: the beginning of their names, what is measured, and where its numbers are.
+/// What is measured: the beginning of the names of its columns, its quantity, and where its numbers are.
 struct Measurand {
     prefix: String,
     column: Column,
@@ -99,8 +99,11 @@ impl Layout {
         let results = results.map(|found| found.columns());
         for measure in measures {
             to.whole = measure.whole;
-            if let Some(schema) = results.as_ref().filter(|_| measure.is_plain) {
-                to.add_plain(schema, measure.name);
+            if measure.is_plain {
+                if let Some(schema) = &results {
+                    to.add_plain(schema, measure.name);
+                }
+                continue;
             }
             // Each number of the motion between positions has all parts one after the other.
             let same = |one: &MeasureColumn, other: &MeasureColumn| {

@@ -15,7 +15,7 @@ pub struct Measure {
     summary: &'static str,
     /// Whether it is written where no measures are named.
     pub by_default: bool,
-    /// Whether it is named, and written whole then: else without the columns that no parameter can change.
+    /// Whether it is requested by name: all its columns are written then, even those that no parameter can change.
     pub(crate) whole: bool,
     /// Whether it has all columns of the positions under its key as they are.
     pub(crate) is_plain: bool,
@@ -36,10 +36,13 @@ pub(crate) struct MeasureColumn {
 /// The kind of thing that owns a column. Successive columns of one kind are written owner by owner.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Of {
-    /// A periodic regime: any, one whose flywheel is sought, with a motor, with another driving torque.
+    /// A periodic regime.
     Regime,
+    /// A periodic regime whose flywheel is sought.
     Flywheel,
+    /// A periodic regime with a motor.
     Motor,
+    /// A periodic regime with a driving torque that is constant or balances the loads.
     Torque,
     /// The end of a transient motion.
     End,
@@ -149,7 +152,7 @@ columns! {
         |found, _| Some(found.shaking.as_ref()?.greatest_moment);
     "regime" Flywheel "flywheel" In::Unit(Unit::INERTIA), |found, _| Some(found.regime()?.flywheel);
     "regime" Motor "ratio" NONE, |found, _| found.regime()?.figures.ratio;
-    "regime" Torque "torque" In::Unit(Unit::MOMENT), |found, _| found.regime()?.figures.torque;
+    "regime" Torque "torque" In::Quantity(Quantity::ReducedMoment), |found, _| found.regime()?.figures.torque;
     "regime" Regime "mean_speed" SPEED, |found, _| Some(found.regime()?.figures.mean_speed);
     "regime" Regime "unevenness" NONE, |found, _| Some(found.regime()?.figures.unevenness);
     "regime" Regime "speed_min" SPEED, |found, _| Some(found.regime()?.figures.speed_min);

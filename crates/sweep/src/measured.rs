@@ -49,7 +49,7 @@ pub(crate) fn ends(joint: &Joint) -> usize {
 pub(crate) struct Measured {
     /// Of what is gathered, over the positions.
     pub(crate) statistics: Vec<Statistic>,
-    /// Which of them are of squares.
+    /// Which of the statistics are of squared values.
     squares: Vec<bool>,
     /// Of an angle that is gathered: how it continues.
     pub(crate) angles: Vec<Followed>,

@@ -1,5 +1,6 @@
 //! The geometry of the motion, one row for each position.
 
+use assur_book::Unit;
 use assur_geometry::{AtPosition, Geometry};
 use assur_shaking::Shaking;
 
@@ -17,12 +18,14 @@ pub fn geometry(found: &Geometry, ascii: bool) -> Result<String, CsvError> {
     }
     for point in found.points.keys() {
         header.extend([
-            format!("{point}_curvature_1/m"),
+            Unit::CURVATURE.column(format!("{point}_curvature")),
             format!("{point}_curvature_center_x_m"),
             format!("{point}_curvature_center_y_m"),
         ]);
     }
-    header.extend(found.groups.iter().map(|(group, at)| format!("{group}: {}_rad", at.what)));
+    header.extend(
+        found.groups.iter().map(|(group, at)| format!("{group}_{}_rad", at.what).replace([' ', ':'], "_")),
+    );
     write(&header, found.positions.iter().map(|at| row(found, at)), ascii)
 }
 

@@ -58,7 +58,7 @@ fn thousands(number: usize) -> String {
 }
 
 /// In how many positions which checks were not possible, and why: one sentence for those that have both in common.
-pub fn not_judged(checks: &[Check]) -> Vec<Text> {
+fn not_judged(checks: &[Check]) -> Vec<Text> {
     let common = |check: &Check| (check.left_out > 0).then(|| (check.left_out, check.finding.why.clone()));
     let sentence = |((count, why), names): ((usize, Text), Vec<Text>)| {
         text!("report-not-judged-in", count, checks = list(names), reason = why)

@@ -7,7 +7,7 @@ use assur_words::{Text, name, number, text};
 use super::Source;
 
 /// Sides of the guides, and enveloping.
-pub fn contacts(source: &Source<'_>, page: &mut Document) {
+pub(super) fn contacts(source: &Source<'_>, page: &mut Document) {
     let cycle = &source.analysis.cycle;
     if !cycle.sign_changes.is_empty() {
         sides(source, page);

@@ -1,6 +1,6 @@
 //! Motion over time: how it was found, its samples, energies, and the greatest reactions.
 
-use assur_analysis::results::{Integration, Owner, Part, Quantity, Table as Results};
+use assur_analysis::results::{Integration, Owner, Part, Quantity, Statistic, Table as Results};
 use assur_book::{Column, Document, Table, Unit, catalogue};
 use assur_integrator::{EventKind, Knob};
 use assur_mechanism::{Motion, StepLength};
@@ -15,7 +15,7 @@ const ROWS: usize = 51;
 const EVENTS: usize = 20;
 
 /// Why the motion is not found, where it is not.
-pub fn no_motion(source: &Source<'_>, page: &mut Document) {
+pub(super) fn no_motion(source: &Source<'_>, page: &mut Document) {
     if let Some(problem) = &source.analysis.no_motion {
         page.heading(text!("report-motion"));
         page.paragraph(text!("report-no-motion", reason = problem));
@@ -23,7 +23,7 @@ pub fn no_motion(source: &Source<'_>, page: &mut Document) {
 }
 
 /// How a motion from an initial state was found, and its course.
-pub fn motion_over_time(source: &Source<'_>, page: &mut Document) {
+pub(super) fn motion_over_time(source: &Source<'_>, page: &mut Document) {
     if let Some(found) = &source.analysis.integration {
         page.heading(text!("report-motion"));
         integration(source, found, page);
@@ -191,9 +191,10 @@ fn greatest(source: &Source<'_>, page: &mut Document) {
     }
     let times = each(all, Values::of(Quantity::Time, Owner::Input));
     let greatest = |(pair, link)| {
-        let sizes = each(all, force(pair, link).part(Part::Modulus)).into_iter().zip(&times);
-        let found = sizes.filter_map(|(size, time)| Some((size?, (*time)?)));
-        Some((pair, link, found.max_by(|a, b| a.0.total_cmp(&b.0))?))
+        let sizes = each(all, force(pair, link).part(Part::Modulus)).into_iter().enumerate();
+        let found: Statistic = sizes.filter_map(|(row, size)| Some((row, size?))).collect();
+        let found = found.greatest()?;
+        Some((pair, link, (found.value, times[found.number]?)))
     };
     let rows = catalogue::reactions(all.schema()).into_iter().filter_map(greatest);
     let table = Table::each(text!("report-greatest-at-samples"), rows)

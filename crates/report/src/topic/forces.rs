@@ -1,14 +1,14 @@
 //! Reduction, reactions with their causes, loads and the balancing load.
 
 use assur_analysis::results::{Owner, Part, Quantity, Statistic, Table as Results};
-use assur_book::{Column, Document, Group, Table, Unit, beside, catalogue, link_name};
+use assur_book::{Column, Document, Group, Table, Unit, catalogue, link_name, zero_if_rounding};
 use assur_mechanism::{Balance, LinkId, PairId, Place};
 use assur_words::{Text, name, number, text};
 
 use super::{Source, Values, each};
 
 /// Inertia, its derivative and the moment of the loads, reduced to the input link and to a point.
-pub fn reduction(source: &Source<'_>, page: &mut Document) {
+pub(super) fn reduction(source: &Source<'_>, page: &mut Document) {
     let table = &source.positions;
     let of = |quantity| Values::of(quantity, Owner::Input);
     let [inertia, moment] = [Quantity::ReducedInertia, Quantity::ReducedMoment].map(of);
@@ -49,7 +49,7 @@ pub(super) fn force(pair: PairId, link: LinkId) -> Values {
 }
 
 /// The reactions in the pairs: in each position, and over the cycle.
-pub fn reactions(source: &Source<'_>, page: &mut Document) {
+pub(super) fn reactions(source: &Source<'_>, page: &mut Document) {
     if !has_reactions(&source.positions) {
         return;
     }
@@ -89,7 +89,7 @@ fn of_pair(source: &Source<'_>, pair: PairId, link: LinkId) -> Group {
 /// Angle of a force, rad; a zero force has none. A component that is rounding counts as zero.
 pub fn direction(force: [f64; 2]) -> Option<f64> {
     let modulus = force[0].hypot(force[1]);
-    let [x, y] = force.map(|part| beside(modulus, part));
+    let [x, y] = force.map(|part| zero_if_rounding(part, modulus));
     (modulus > 1e-9).then(|| y.atan2(x))
 }
 
@@ -108,7 +108,7 @@ fn greatest(source: &Source<'_>, page: &mut Document) {
 }
 
 /// The balancing load in each position, and the greatest one.
-pub fn balancing(source: &Source<'_>, page: &mut Document) {
+pub(super) fn balancing(source: &Source<'_>, page: &mut Document) {
     let greatest = source.analysis.survey.of(Values::BALANCING).and_then(Statistic::farthest);
     let Some(greatest) = greatest else { return };
     let number = greatest.number;
@@ -139,7 +139,7 @@ pub fn balancing_at_positions(source: &Source<'_>, page: &mut Document) {
 }
 
 /// The share of each cause.
-pub fn causes(source: &Source<'_>, page: &mut Document) {
+pub(super) fn causes(source: &Source<'_>, page: &mut Document) {
     let schema = source.positions.schema();
     if schema.causes.is_empty() {
         return;
@@ -173,7 +173,7 @@ fn components(source: &Source<'_>, force: Values) -> Vec<Column> {
 }
 
 /// The loads, the inertia loads of the links, and the shaking force.
-pub fn loads(source: &Source<'_>, page: &mut Document) {
+pub(super) fn loads(source: &Source<'_>, page: &mut Document) {
     let schema = source.positions.schema();
     let (loads, links) = (schema.owners(Quantity::Load), schema.owners(Quantity::InertiaForce));
     let shaking = wrench(source, Quantity::ShakingForce, Quantity::ShakingMoment, Owner::Input);

@@ -7,7 +7,7 @@ use assur_words::{Text, joined, text};
 use super::{Source, Values};
 
 /// The friction of the pairs, with its heading.
-pub fn friction(source: &Source<'_>, page: &mut Document) {
+pub(super) fn friction(source: &Source<'_>, page: &mut Document) {
     if source.analysis.friction.is_some() {
         page.heading(text!("report-friction"));
         friction_tables(source, page);

@@ -1,6 +1,6 @@
 //! The geometry of the motion as tables.
 
-use assur_book::{Column, Document, Group, Table, Unit, beside};
+use assur_book::{Column, Document, Group, Table, Unit, zero_if_rounding};
 use assur_geometry::{AtPosition, Centers, Geometry, PartCourse, Stroke};
 use assur_mechanism::Named;
 use assur_words::{Text, name, text};
@@ -34,7 +34,7 @@ fn strokes(found: &Geometry, unit: Unit, page: &mut Document) {
     page.heading(text!("geometry-strokes"));
     let overlap = |stroke: &Stroke| {
         let (angle, [way, _]) = stroke.overlap.zip(stroke.intervals)?;
-        Some(beside(way, angle))
+        Some(zero_if_rounding(angle, way))
     };
     let table = Table::each(Text::default(), swinging(found))
         .column(text!("head-what"), |(name, ..)| Text::from(*name))
@@ -83,9 +83,9 @@ fn extremes(found: &Geometry, unit: Unit, page: &mut Document) {
         .column(text!("head-of"), |(of, ..)| Text::from(*of))
         .column(text!("head-quantity"), |(_, what, ..)| what.clone())
         .column(text!("head-unit"), |(.., unit)| assur_words::unit(unit.name))
-        .column(text!("head-least"), |(.., at, unit)| unit.number(beside(at.max, at.min)))
+        .column(text!("head-least"), |(.., at, unit)| unit.number(zero_if_rounding(at.min, at.max)))
         .measured(text!("head-at"), unit, |(.., at, _)| at.at_min)
-        .column(text!("head-greatest"), |(.., at, unit)| unit.number(beside(at.min, at.max)))
+        .column(text!("head-greatest"), |(.., at, unit)| unit.number(zero_if_rounding(at.max, at.min)))
         .measured(text!("head-at"), unit, |(.., at, _)| at.at_max);
     page.table(table.table());
 }

@@ -24,24 +24,26 @@ use assur_kinematics::Linkage;
 use assur_mechanism::Mechanism;
 use assur_words::{Text, name, text};
 
-pub use checks::{checks, not_judged};
-pub use contact::contacts;
-pub use course::{motion_over_time, no_motion};
+pub use checks::checks;
 pub use drive::{advice, drive, flywheel_methods, flywheel_shaft, motor_facts};
 pub use explain::explain;
 pub use facts::{About, checks_fact, results, summary};
-pub use forces::{
-    balancing, balancing_at_positions, causes, direction, force_heads, inertia_loads, loads, reactions,
-    reactions_at_positions, reduction,
-};
-pub use friction::{friction, friction_tables};
+pub use forces::{balancing_at_positions, direction, force_heads, inertia_loads, reactions_at_positions};
+pub use friction::friction_tables;
 pub use given::{dimensions, loads_given, motion_given, task_text};
 pub use measured::geometry;
-pub use motion::{condition, positions, rates, rates_of_links, rates_of_points, shown_positions, transfer};
+pub use motion::{rates_of_links, rates_of_points};
 pub use plans::plans;
-pub use regime::{course as regime_over_cycle, facts as regime_facts, iteration};
+pub use regime::{facts as regime_facts, iteration};
 pub use shaking::shaking;
 pub use structure::{groups, mobility, pairs, passive_part, study as structure_study};
+
+use contact::contacts;
+use course::{motion_over_time, no_motion};
+use forces::{balancing, causes, loads, reactions, reduction};
+use friction::friction;
+use motion::{condition, positions, rates, shown_positions, transfer};
+use regime::course as regime_over_cycle;
 
 /// What the topics are made from.
 #[derive(Debug)]
@@ -51,7 +53,7 @@ pub struct Source<'a> {
     mechanism: &'a Mechanism,
     /// Those that are shown of the positions.
     positions: Table,
-    /// The quantities of which a topic has told.
+    /// The quantities already reported by a topic.
     told: RefCell<Vec<Quantity>>,
     /// Whether the coordinate of the input is an angle.
     angular: bool,

@@ -14,7 +14,7 @@ const PROJECTIONS: &[Part] = &[Part::X, Part::Y];
 const RATES: &[Quantity] = &[Quantity::Velocity, Quantity::Acceleration];
 
 /// Of how many positions the tables show some, where they don't show all.
-pub fn shown_positions(source: &Source<'_>, page: &mut Document) {
+pub(super) fn shown_positions(source: &Source<'_>, page: &mut Document) {
     let (shown, all) = (source.positions.len(), source.analysis.survey.rows);
     if shown > 0 && shown != all {
         page.heading(text!("report-shown-positions"));
@@ -23,7 +23,7 @@ pub fn shown_positions(source: &Source<'_>, page: &mut Document) {
 }
 
 /// 1 / determinant of the groups.
-pub fn condition(source: &Source<'_>, page: &mut Document) {
+pub(super) fn condition(source: &Source<'_>, page: &mut Document) {
     let owners = source.owners(Quantity::Condition, |_| true);
     if source.positions.is_empty() || owners.is_empty() {
         return;
@@ -89,7 +89,7 @@ impl Source<'_> {
 }
 
 /// Places of the points, angles of the links, displacements of the slides.
-pub fn positions(source: &Source<'_>, page: &mut Document) {
+pub(super) fn positions(source: &Source<'_>, page: &mut Document) {
     if !source.places() {
         return;
     }
@@ -104,7 +104,7 @@ pub fn positions(source: &Source<'_>, page: &mut Document) {
 }
 
 /// Transfer functions of the first and the second order.
-pub fn transfer(source: &Source<'_>, page: &mut Document) {
+pub(super) fn transfer(source: &Source<'_>, page: &mut Document) {
     if !source.places() {
         return;
     }
@@ -119,7 +119,7 @@ pub fn transfer(source: &Source<'_>, page: &mut Document) {
 }
 
 /// Velocities and accelerations.
-pub fn rates(source: &Source<'_>, page: &mut Document) {
+pub(super) fn rates(source: &Source<'_>, page: &mut Document) {
     if source.positions.is_empty() || source.positions.schema().owners(RATES[0]).is_empty() {
         return;
     }

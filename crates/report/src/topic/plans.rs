@@ -26,9 +26,9 @@ fn plan(plan: &VectorPlan, page: &mut Document) {
         text!("plan-without-scale", title, unit = own, residual)
     }));
     let ends = plan.items.iter().flat_map(|item| [item.start, item.end]);
-    let places = beside(ends.chain(plan.points.iter().map(|point| point.at)).flatten());
+    let places = without_rounding(ends.chain(plan.points.iter().map(|point| point.at)).flatten());
     let size = |item: &PlanVector| {
-        beside(plan.items.iter().filter(|one| one.unit == item.unit).map(|one| one.size))(item.size)
+        without_rounding(plan.items.iter().filter(|one| one.unit == item.unit).map(|one| one.size))(item.size)
     };
     let angle = |item: &PlanVector| {
         let vector = [0, 1].map(|axis| item.end[axis] - item.start[axis]);
@@ -52,7 +52,7 @@ fn plan(plan: &VectorPlan, page: &mut Document) {
 
 fn centers(centers: &[Center], page: &mut Document) {
     let places = centers.iter().filter_map(|center| center.at.point());
-    let (place, direction) = (beside(places.flatten()), beside([1.0]));
+    let (place, direction) = (without_rounding(places.flatten()), without_rounding([1.0]));
     let at = |center: &Center, axis: usize| match center.at {
         CenterAt::Point(at) => Some(place(at[axis])),
         CenterAt::Direction(along) => Some(direction(along[axis])),
@@ -76,8 +76,9 @@ fn centers(centers: &[Center], page: &mut Document) {
 /// Reactions by cause: for each cause and for the whole a row of each joint and link, and the balancing load.
 fn causes(split: &Split, page: &mut Document) {
     let shares = || split.shares.iter().chain([&split.whole]);
-    let force = beside(shares().flat_map(|share| &share.reactions).flat_map(|reaction| reaction.force));
-    let balancing = beside(shares().map(|share| share.balancing));
+    let force =
+        without_rounding(shares().flat_map(|share| &share.reactions).flat_map(|reaction| reaction.force));
+    let balancing = without_rounding(shares().map(|share| share.balancing));
     let heads = [text!("head-cause"), text!("head-pair"), text!("head-on")].map(Column::of);
     let heads = heads.into_iter().chain(force_heads());
     let residual = number(format_args!("{:.1e}", split.residual));
@@ -106,8 +107,8 @@ fn degrees([x, y]: [f64; 2]) -> Cell {
     }))
 }
 
-/// Numbers of one kind beside the greatest of them.
-fn beside(all: impl IntoIterator<Item = f64>) -> impl Fn(f64) -> f64 {
+/// Makes a number of one kind zero where it is only rounding of the greatest of them.
+fn without_rounding(all: impl IntoIterator<Item = f64>) -> impl Fn(f64) -> f64 {
     let greatest = all.into_iter().fold(0.0, |most: f64, value| most.max(value.abs()));
-    move |value| assur_book::beside(greatest, value)
+    move |value| assur_book::zero_if_rounding(value, greatest)
 }

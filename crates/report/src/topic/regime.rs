@@ -112,7 +112,7 @@ pub fn iteration(source: &Source<'_>, page: &mut Document) {
 }
 
 /// Speed, moments and inertia over the cycle.
-pub fn course(source: &Source<'_>, page: &mut Document) {
+pub(super) fn course(source: &Source<'_>, page: &mut Document) {
     let Some(regime) = source.analysis.dynamics.as_ref().map(|found| &found.regime) else { return };
     let ([rate, _], load) = (Unit::rates(source.angular), Unit::load(source.angular));
     let [inertia, derivative] = Unit::inertias(source.angular);

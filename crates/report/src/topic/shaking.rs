@@ -1,6 +1,6 @@
 //! Shaking force, its harmonics and counterweights as tables.
 
-use assur_book::{Column, Digits, Document, Table, Unit, beside};
+use assur_book::{Column, Digits, Document, Table, Unit, zero_if_rounding};
 use assur_shaking::{AtPosition, Balanced, Criterion, Harmonic, Shaking, Size};
 use assur_words::{Text, list, name, number, text};
 
@@ -29,7 +29,7 @@ fn sizes(found: &Shaking, page: &mut Document) {
     let after = found.balances.iter().map(|balance| (balance_name(balance), &balance.after));
     let of = |value: fn(&Size) -> f64| {
         let before = value(&found.before);
-        move |(_, size): &(Text, &Size)| beside(before, value(size))
+        move |(_, size): &(Text, &Size)| zero_if_rounding(value(size), before)
     };
     let table = Table::each(Text::default(), std::iter::once(before).chain(after))
         .column(text!("head-counterweights"), |(what, _)| what.clone())
@@ -43,7 +43,7 @@ fn sizes(found: &Shaking, page: &mut Document) {
 
 fn proofs(found: &Shaking, page: &mut Document) {
     let proved = found.balances.iter().filter_map(|balance| Some((balance, balance.proof?)));
-    let bound = |bound| beside(found.before.greatest_force, bound);
+    let bound = |bound| zero_if_rounding(bound, found.before.greatest_force);
     let table = Table::each(Text::default(), proved)
         .column(text!("head-counterweights"), |(balance, _)| balance_name(balance))
         .measured(text!("head-bound"), Unit::FORCE, |(_, proof)| bound(proof.bound))

@@ -60,7 +60,7 @@ fn every_cause_has_a_row() {
     let mut state = opened("shaper");
     press(&mut state, "3 b");
     let frame = text(&state, 80, 24);
-    for cause in ["1 weight", "2 inertia", "3 cutting", "sum", "whole, by `groups`"] {
+    for cause in ["1 weight", "2 inertia", "3 cutting", "sum", "total, by `groups`"] {
         assert!(frame.contains(cause), "{cause}: {frame}");
     }
 }
@@ -103,6 +103,6 @@ fn many_causes_keep_their_sum_in_sight() {
     assert!(frame.contains(" more together") && more.len() == 2, "{frame}");
     let shown: f64 = (0..20).filter(|n| frame.contains(&format!(" m{n} "))).map(|n| f64::from(n + 1)).sum();
     assert!((more[1] + (210.0 - shown)).abs() < 1e-9, "{frame}");
-    let whole = row(&frame, "whole, by `groups`");
+    let whole = row(&frame, "total, by `groups`");
     assert!((row(&frame, "sum")[0] - whole[0]).abs() <= 1e-5 * whole[0].abs(), "{frame}");
 }

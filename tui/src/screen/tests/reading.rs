@@ -96,7 +96,7 @@ fn a_warning_of_the_drive_is_on_its_first_part() {
         check_rotor_inertia(None, name("A long name ".repeat(9))).into_iter().collect();
     let frame = text(&state, 80, 24);
     let line = frame.lines().find(|line| line.starts_with(" ! the rotor inertia of A long name")).unwrap();
-    assert!(line.ends_with("…  (Tab Tab: whole)"), "{line}");
+    assert!(line.ends_with("…  (Tab Tab: full text)"), "{line}");
     let scene = state.scene.as_mut().unwrap();
     let dynamics = scene.found.as_mut().unwrap().analysis.dynamics.as_mut().unwrap();
     dynamics.motor.as_mut().unwrap().warnings.clear();

@@ -92,7 +92,7 @@ fn the_drive_shows_motor_moments_flywheels_and_places() {
         "{frame}"
     );
     press(&mut state, "Tab");
-    assert!(text(&state, 80, 60).contains("two places of the flywheel"));
+    assert!(text(&state, 80, 60).contains("two possible locations of the flywheel"));
     press(&mut state, "5");
     assert!(!text(&state, 80, 24).contains("Iteration"), "each view keeps its own part");
     press(&mut state, "Tab Tab");

@@ -1,6 +1,6 @@
 //! Reactions of the position as a table, with their curves; and the chosen one by cause.
 
-use assur_book::{Cell, Column, Table, Unit, beside};
+use assur_book::{Cell, Column, Table, Unit, zero_if_rounding};
 use assur_diagram::Split;
 use assur_picture::causes::{CauseShare, part, parts, sum};
 use assur_picture::forces::{difference, figure, heading};
@@ -101,7 +101,7 @@ fn causes(found: &Found, split: &Split, reaction: &Reaction, parts: &[CauseShare
     let whole = part(&split.whole, reaction);
     let whole = CauseShare { cause: text!("forces-whole", method = name(found.analyzer.clone())), ..whole };
     let greatest = parts.iter().chain([&whole]).map(size).fold(0.0, f64::max);
-    let clean = |value: f64| beside(greatest, value);
+    let clean = |value: f64| zero_if_rounding(value, greatest);
     let cells = |part: CauseShare| {
         let force = part.force.map(|force| force.map(clean));
         let scalar = part.scalar.map_or_else(|| Text::default().into(), |value| clean(value).into());

@@ -102,7 +102,7 @@ fn the_numbers_of_the_note_are_those_of_the_json() {
     assert_eq!(regime.head, ["Quantity", "Value", "Unit", "At"]);
     for (what, key) in [
         ("mean speed", "mean_speed"),
-        ("coefficient of speed fluctuation", "unevenness"),
+        ("unevenness", "unevenness"),
         ("required power", "required_power"),
         ("gear ratio", "ratio"),
         ("moment of inertia of the flywheel", "flywheel"),
@@ -163,7 +163,7 @@ fn the_mass_of_the_link_of_reduction_is_that_of_links_flywheel_and_rotor() {
     let json: Value =
         serde_json::from_str(&to_json(&results.found.as_ref().unwrap().analysis, false).unwrap()).unwrap();
     let figures = between(&html, "<figure>", "</figure>");
-    let figure = figures.into_iter().find(|figure| figure.contains("The link of reduction")).unwrap();
+    let figure = figures.into_iter().find(|figure| figure.contains("The reduction link")).unwrap();
     let text = plain(figure);
     let masses: Vec<f64> =
         text.split(", m ").skip(1).filter_map(|rest| rest.split_once(" kg")?.0.parse().ok()).collect();
