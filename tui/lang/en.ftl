@@ -176,7 +176,7 @@ do-quit = leave
 
 # The terminal UI: names of the views; .short: on a narrow tab.
 view-results = Results
-    .short = Main
+    .short = Res
 view-mechanism = Mechanism
     .short = Mech
 view-curves = Curves
@@ -190,7 +190,7 @@ view-drive = Drive
 view-checks = Checks
     .short = Check
 view-accuracy = Methods
-    .short = Cost
+    .short = Meth
 view-structure = Groups
     .short = Group
 view-table = Table

@@ -286,7 +286,7 @@ header-not-taken = (не принято)
 fault-more-lines = { "." }. ещё строк: { $count }
 accuracy-measuring = измерение ...
 accuracy-stops = { $count }   ({ $key } останавливает)
-accuracy-starts = { $key } измеряет здесь каждый метод: скорость, точность, устойчивость (несколько секунд)
+accuracy-starts = { $key } измеряет здесь каждый метод: скорость, точность, устойчивость (секунды)
 
 # Messages of the terminal UI.
 say-no-position = положения { $position } нет: последнее — { $last }

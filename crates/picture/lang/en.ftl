@@ -77,6 +77,7 @@ regime-reduced = reduced to { $point }: F { $force }, m { $mass }
 motion-none = no [motion] in the scene, so only J and Q; add it, with speed = "60 rpm"
 plans-no-construction = no method with a construction fits here
 plans-step = { $construction }, step { $step }
+plans-more = and { $count } more, in the list of the plan
 say-misses = no assembly: misses by { $gap } in { $place }; { $group }
 say-no-assembly = no assembly: { $reason }
 say-misses-beyond = no assembly: misses by { $gap } in { $place }; { $group }; it exists from { $from } to { $to }

@@ -1,8 +1,9 @@
 //! The chosen reaction by cause: the shares of weight, inertia and each load, which sum to the total.
 
 use assur_diagram::{JointForce, Share, Split};
-use assur_figure::{Ink, Panel};
-use assur_words::{Text, name, text};
+use assur_figure::number::digits;
+use assur_figure::{Ink, Key, Panel, Sample, Stroke};
+use assur_words::{Text, joined, name, quantity, text};
 
 use crate::{Found, Look, Reaction, Results, curves, plots};
 
@@ -17,14 +18,27 @@ pub struct CauseShare {
     pub scalar: Option<f64>,
 }
 
-/// The modulus of the chosen reaction, and its causes head to tail.
-pub(crate) fn panels(results: &Results, look: &Look<'_>, found: &Found) -> Vec<Panel> {
-    let Some(reaction) = found.reactions.get(look.reaction) else { return Vec::new() };
+/// The modulus of the chosen reaction, and its causes head to tail, with what their numbers stand for.
+pub(crate) fn panels(results: &Results, look: &Look<'_>, found: &Found) -> (Vec<Panel>, Vec<Key>) {
+    let Some(reaction) = found.reactions.get(look.reaction) else { return Default::default() };
     let plans = found.plans.at(look.position);
     let parts = plans.by_cause().map(|split| parts(split, reaction)).unwrap_or_default();
     let mut panels = curves(results, look, found, &[usize::MAX]);
     panels.extend(sum_of(&parts));
-    panels
+    (panels, drawn(&parts).map(|(number, part, force)| key(number, part, force)).collect())
+}
+
+/// The shares that are drawn: number, share, force.
+fn drawn(parts: &[CauseShare]) -> impl Iterator<Item = (usize, &CauseShare, [f64; 2])> {
+    let numbered = parts.iter().enumerate();
+    numbered.filter_map(|(number, part)| Some((number, part, part.force.filter(|[x, y]| x.hypot(*y) > 0.0)?)))
+}
+
+/// `2 inertia  311.2 N`.
+fn key(number: usize, part: &CauseShare, [x, y]: [f64; 2]) -> Key {
+    let size = quantity(digits(x.hypot(y), 5), "N");
+    let told = joined("  ", [plots::numbered(number, part.cause.clone()), size]);
+    Key { sample: Sample::Line(Stroke::Solid, Ink::Second), text: told }
 }
 
 /// The shares of all causes in a reaction.
@@ -62,8 +76,7 @@ pub fn sum(parts: &[CauseShare], cause: Text) -> CauseShare {
 fn sum_of(parts: &[CauseShare]) -> Option<Panel> {
     let mut at = [0.0; 2];
     let mut vectors = Vec::new();
-    for (number, part) in parts.iter().enumerate() {
-        let Some([x, y]) = part.force.filter(|[x, y]| *x != 0.0 || *y != 0.0) else { continue };
+    for (number, _, [x, y]) in drawn(parts) {
         let to = [at[0] + x, at[1] + y];
         let told = name((number + 1).to_string());
         vectors.push((plots::arrow([at, to], &told, Ink::Second), told));

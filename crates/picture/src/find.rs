@@ -102,7 +102,8 @@ pub fn next(now: usize, count: usize, fits: impl Fn(usize) -> bool) -> Option<us
 }
 
 /// The next item behind `now` that has just this name, else but for capital letters; else in a name of which it occurs as a word of
-/// its own, written alike; else as a word; else anywhere, if it has more than one letter.
+/// its own, written alike; else as a word; else anywhere, if it has more than one letter; else in whose names together all its words
+/// occur.
 pub fn by_name(all: &[Vec<String>], now: usize, sought: &str) -> Option<usize> {
     let lower = sought.to_lowercase();
     let is_word = |name: &str, sought: &str| {
@@ -119,5 +120,12 @@ pub fn by_name(all: &[Vec<String>], now: usize, sought: &str) -> Option<usize> {
         &|name| is_word(&name.to_lowercase(), &lower),
         &|name| sought.chars().nth(1).is_some() && name.to_lowercase().contains(&lower),
     ];
-    fits.iter().find_map(|fits| next(now, all.len(), |item| all[item].iter().any(|name| fits(name))))
+    let whole =
+        fits.iter().find_map(|fits| next(now, all.len(), |item| all[item].iter().any(|name| fits(name))));
+    let words: Vec<&str> = lower.split_whitespace().collect();
+    let occurs = |names: &[String], word: &str| names.iter().any(|name| name.to_lowercase().contains(word));
+    whole.or_else(|| {
+        let is_spoken = words.len() > 1;
+        is_spoken.then(|| next(now, all.len(), |item| words.iter().all(|word| occurs(&all[item], word))))?
+    })
 }

@@ -9,8 +9,13 @@ use crate::{Found, Look, Reaction, Results, Series, ViewPart, causes, curves};
 /// The chosen reaction: its modulus beside its hodograph, its projections, its hodograph, or its causes.
 pub fn figure(results: &Results, look: &Look<'_>, part: ViewPart) -> Figure {
     let Some(found) = &results.found else { return Figure::default() };
+    let mut legend = Vec::new();
     let panels = match part {
-        ViewPart::Causes => causes::panels(results, look, found),
+        ViewPart::Causes => {
+            let panels;
+            (panels, legend) = causes::panels(results, look, found);
+            panels
+        }
         // The curves of a second analyzer or scene need frames of their own.
         ViewPart::Curves if results.other.is_none() && look.compared.is_none() => {
             let all = chosen(found, look).map_or(&[][..], |reaction| &reaction.series);
@@ -35,7 +40,7 @@ pub fn figure(results: &Results, look: &Look<'_>, part: ViewPart) -> Figure {
         _ => panels.len().max(1),
     };
     let name = chosen(found, look).map(|reaction| reaction.name.clone()).unwrap_or_default();
-    Figure { title: list([name, heading(results, look, found)]), panels, columns, legend: Vec::new() }
+    Figure { title: list([name, heading(results, look, found)]), panels, columns, legend }
 }
 
 /// By which analyzer the reactions are, and their difference to those of another one.

@@ -16,8 +16,8 @@ const FAR: f64 = 1.5;
 const SHORT: f64 = 0.02;
 /// Space around a construction, as part of its size.
 const AROUND: f64 = 0.06;
-/// Name of the pole of a plan of velocities or accelerations.
-const POLE: &str = "p";
+/// Names of the poles of the plans of velocities and of accelerations: a point P has the image p.
+const POLES: [&str; 2] = ["p_{v}", "p_{a}"];
 /// What the plans of a position show.
 #[derive(Debug)]
 pub enum Shown<'a> {
@@ -91,25 +91,26 @@ pub fn figure(results: &Results, look: &Look<'_>, part: ViewPart) -> Figure {
     }
 }
 
-/// What the labels of a plan stand for, with the sizes; of a plan with very many the first ones.
+/// What the labels of a plan stand for, with the sizes; of a plan with very many the first ones, and how many more there are.
 fn keys(part: ViewPart, plan: &VectorPlan) -> Vec<Key> {
     /// Entries of a legend that leave room for the plan.
-    const MOST: usize = 16;
-    let inner = |item: &PlanVector| item.kind == VectorKind::Inner;
-    let named =
-        labelled(part, plan).into_iter().filter(|(_, item)| inner(item) || ink_of(part, item) != Ink::Trace);
+    const MOST: usize = 24;
+    let named = labelled(part, plan);
+    let more = named.len().saturating_sub(MOST);
     let key = |(label, item): (String, &PlanVector)| {
         let size = quantity(digits(item.size, 5), item.unit.clone());
         // An absolute vector is called by its point already.
         let what = match item.kind {
             VectorKind::Absolute => name(label),
-            VectorKind::Inner => item.name.clone(),
+            _ if ink_of(part, item) == Ink::Trace => item.name.clone(),
             _ => joined(" ", [name(label), item.name.clone()]),
         };
-        let stroke = if inner(item) { Stroke::Dotted } else { Stroke::Solid };
+        let stroke = if ink_of(part, item) == Ink::Trace { Stroke::Dotted } else { Stroke::Solid };
         Key { sample: Sample::Line(stroke, ink_of(part, item)), text: joined("  ", [what, size]) }
     };
-    named.take(MOST).map(key).collect()
+    let rest =
+        Key { sample: Sample::Line(Stroke::Dotted, Ink::Trace), text: text!("plans-more", count = more) };
+    named.into_iter().take(MOST).map(key).chain((more > 0).then_some(rest)).collect()
 }
 
 /// Whether forces are determined in a position.
@@ -131,11 +132,20 @@ pub(crate) fn panel_of_plan(part: ViewPart, plan: &VectorPlan) -> Panel {
         (plots::arrow([item.start, item.end], &name, ink), name)
     });
     let (unit, symbol, pole) = match part {
-        ViewPart::Velocities => (plan.unit.as_str(), "v", Some(POLE)),
-        ViewPart::Accelerations => (plan.unit.as_str(), "a", Some(POLE)),
+        ViewPart::Velocities => (plan.unit.as_str(), "v", Some(POLES[0])),
+        ViewPart::Accelerations => (plan.unit.as_str(), "a", Some(POLES[1])),
         _ => (plan.unit.as_str(), "F", None),
     };
-    plots::vectors(Text::default(), vectors.collect(), (unit, symbol), pole)
+    let mut panel = plots::vectors(Text::default(), vectors.collect(), (unit, symbol), pole);
+    // The relative components of a plan of velocities or accelerations are named where there is room.
+    let components = plan.items.iter().filter(|item| pole.is_some() && ink_of(part, item) == Ink::Trace);
+    panel.items.extend(components.map(|item| Item::Name {
+        at: [0, 1].map(|axis| 0.5 * (item.start[axis] + item.end[axis])),
+        text: item.name.clone(),
+        ink: Ink::Dim,
+        needed: false,
+    }));
+    panel
 }
 
 /// The label of a vector in the drawing and in the list: `R3`, or the point of an absolute velocity.
@@ -212,7 +222,7 @@ fn panel_of_steps(results: &Results, look: &Look<'_>, drawn: &Construction, last
     let vectors = made.filter_map(vector).collect();
     let image = drawn.steps.iter().find(|step| step.kind == VectorKind::Absolute);
     let (unit, symbol) = if on_lever { (image.map_or("m", |step| step.unit), "v") } else { ("m", "l") };
-    let mut panel = plots::vectors(Text::default(), vectors, (unit, symbol), on_lever.then_some(POLE));
+    let mut panel = plots::vectors(Text::default(), vectors, (unit, symbol), on_lever.then_some(POLES[0]));
     panel.items.splice(0..0, beneath);
     if let Frame::Plane { bounds, .. } = &mut panel.frame {
         *bounds = place;

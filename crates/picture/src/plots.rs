@@ -119,6 +119,12 @@ pub fn numbered(at: usize, told: Text) -> Text {
     joined(" ", [name((at + 1).to_string()), told])
 }
 
+/// The head of an arrow at the end of a line of several points, however short its last piece is.
+pub(crate) fn head_of(line: &[Point], ink: Ink) -> Item {
+    let [from, at] = *line.last_chunk().unwrap_or(&[[0.0; 2]; 2]);
+    Item::Sign { at, along: [0, 1].map(|axis| at[axis] - from[axis]), sign: Sign::Head, ink }
+}
+
 /// A vector from one point to another; without a name it is a thin line.
 pub(crate) fn arrow([from, to]: [Point; 2], name: &Text, ink: Ink) -> Item {
     if name.is_empty() {

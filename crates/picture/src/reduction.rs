@@ -10,7 +10,7 @@ use assur_figure::{Bounds, Frame, Ink, Item, Panel, Point, Sign, Stroke};
 use assur_mechanism::{InputPair, PointId, ReductionPoint};
 use assur_words::{Text, name, quantity, text};
 
-use crate::{Found, Look, Results, ViewPart, mechanism, plans};
+use crate::{Found, Look, Results, ViewPart, mechanism, plans, plots};
 
 /// Half the side of a picture, in radii of the point of reduction.
 const ROOM: f64 = 1.5;
@@ -18,8 +18,6 @@ const ROOM: f64 = 1.5;
 const PIECES: usize = 48;
 /// Radius of the arc of a moment, in radii.
 const ARC: f64 = 1.2;
-/// Part of that arc under its head.
-const HEAD: f64 = 0.15;
 /// What is reduced in a position, to the input link and to its farthest point.
 struct Reduced {
     name: Text,
@@ -110,11 +108,10 @@ impl Reduced {
         ];
         if self.moment != 0.0 {
             let at = |part: f64| self.polar(ARC, angle + self.moment.signum() * FRAC_PI_2 * part);
-            let arc = (0..=PIECES).map(|piece| at((1.0 - HEAD) * piece as f64 / PIECES as f64));
-            items.push(Item::line(arc.collect::<Vec<_>>(), Stroke::Solid, Ink::Second));
+            let arc: Vec<Point> = (0..=PIECES).map(|piece| at(piece as f64 / PIECES as f64)).collect();
             items.push(Item::name(at(0.5), name("M"), Ink::Title));
-            let head = (at(1.0 - HEAD), at(1.0));
-            items.push(Item::Arrow { from: head.0, to: head.1, stroke: Stroke::Solid, ink: Ink::Second });
+            items.push(plots::head_of(&arc, Ink::Second));
+            items.push(Item::line(arc, Stroke::Solid, Ink::Second));
         }
         let moment = quantity(digits(self.moment, 5), "N m");
         let inertia = quantity(digits(self.inertia, 5), "kg m2");

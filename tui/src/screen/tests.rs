@@ -2,6 +2,7 @@
 
 mod compare;
 pub(crate) mod courses;
+mod cut;
 mod forces;
 mod frames;
 #[cfg(all(target_os = "linux", target_arch = "x86_64", target_env = "gnu"))]

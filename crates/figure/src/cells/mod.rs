@@ -11,6 +11,7 @@ use unicode_width::UnicodeWidthStr;
 
 use crate::bounds::Zoom;
 use crate::model::{Figure, Frame, Ink, Item, Point, Sign, Stroke};
+use crate::svg::lowered;
 use crate::trace::block;
 use labels::{Labels, head};
 use raster::Raster;
@@ -120,7 +121,10 @@ fn draw_marks(marks: &[Item], size: [u16; 2], look: Look) -> (Raster, Labels) {
     }
     for mark in marks {
         if let Item::Name { at, text, ink, needed } = mark {
-            labels.beside(&raster, cell(*at), &text.render(look.language), *ink, *needed);
+            // Cells have no subscripts.
+            let told: String =
+                lowered(&text.render(look.language)).flat_map(|(part, low)| [part, low]).collect();
+            labels.beside(&raster, cell(*at), &told, *ink, *needed);
         }
     }
     for mark in marks {
@@ -166,19 +170,32 @@ fn put_sign(labels: &mut Labels, at: [f64; 2], along: [f64; 2], sign: Sign, ink:
     labels.put(at, text, ink);
 }
 
-/// The beginning of a text; an ellipsis shows that the rest is missing.
+/// The beginning of a text; an ellipsis shows that the rest is missing. A value is left out with its unit rather than cut.
 pub fn cut(text: &str, width: usize) -> String {
     if text.width() <= width {
         return text.to_owned();
     }
     let beginnings = text.char_indices().map(|(end, _)| &text[..end]);
-    let kept = beginnings.take_while(|kept| kept.width() < width).last();
-    kept.map_or_else(String::new, |kept| format!("{kept}…"))
+    let Some(kept) = beginnings.take_while(|kept| kept.width() < width).last() else { return String::new() };
+    let is_cut = !text[kept.len()..].starts_with(' ');
+    let mut words: Vec<&str> = kept.split(' ').collect();
+    let begun = words.pop_if(|_| is_cut).filter(|word| !is_value(word));
+    if !words.last().is_some_and(|word| is_value(word)) {
+        words.extend(begun);
+    }
+    while words.pop_if(|word| is_value(word) || !word.contains(char::is_alphanumeric)).is_some() {}
+    format!("{}…", words.join(" ").trim_end_matches(|letter: char| !letter.is_alphabetic() && letter != ')'))
+}
+
+/// Whether a word is a number, with or without a sign.
+fn is_value(word: &str) -> bool {
+    word.trim_start_matches(['+', '-', '−', '>', '~', '('])
+        .starts_with(|letter: char| letter.is_ascii_digit())
 }
 
 /// Most rows of a heading, and the fewest that it leaves to the drawing below it.
 const HEADING: u16 = 3;
-const DRAWING: u16 = 4;
+const DRAWING: u16 = 3;
 
 /// The heading of a panel in rows of at most this many columns, broken where two spaces part what it names, or else between words;
 /// of `rows` rows it leaves enough to the drawing.

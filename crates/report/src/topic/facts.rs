@@ -4,6 +4,7 @@ use assur_analysis::results::{Analysis, Column, Owner, Part, Quantity, Turn};
 use assur_book::{Fact, ROUNDING, Unit, catalogue};
 use assur_geometry::overview;
 use assur_kinematics::Linkage;
+use assur_mechanism::GROUND;
 use assur_words::{Text, count, joined, list, name, number, text};
 
 use super::{forces::force, regime};
@@ -42,14 +43,13 @@ pub fn results(analysis: &Analysis, linkage: &Linkage) -> Vec<(About, Fact)> {
     ];
     let mut regime = end_of_motion(analysis);
     regime.extend(regime::facts(analysis).into_iter().filter(|fact| main.contains(&fact.id)));
-    let mut checked = lost(analysis);
-    checked.extend(checks_fact(analysis));
     let all = [
         (About::Structure, structure(analysis)),
+        (About::Checks, lost(analysis, linkage)),
         (About::Motion, motion(analysis, linkage, place)),
         (About::Forces, forces),
         (About::Regime, regime),
-        (About::Checks, checked),
+        (About::Checks, checks_fact(analysis).into_iter().collect()),
     ];
     all.into_iter().flat_map(|(about, facts)| facts.into_iter().map(move |fact| (about, fact))).collect()
 }
@@ -98,9 +98,9 @@ fn extreme(id: &'static str, turn: Turn, unit: Unit, place: Unit) -> Fact {
     Fact::text(id, text!("fact-unlimited", place = place.show_all(&[turn.at])))
 }
 
-/// A mechanism that can't be assembled everywhere has no strokes.
+/// How far slides and links of the ground go, and how fast.
 fn motion(analysis: &Analysis, linkage: &Linkage, place: Unit) -> Vec<Fact> {
-    let Ok(found) = overview(linkage) else { return Vec::new() };
+    let Ok(found) = overview(linkage) else { return travels(analysis, linkage, place) };
     let mechanism = &linkage.mechanism;
     let slides = found.slides.iter().map(|(id, at)| (Owner::Slide(*id), &mechanism.slides[*id].name, at));
     let links = found.links.iter().map(|(id, at)| (Owner::Link(*id), &mechanism.links[*id].name, at));
@@ -132,6 +132,35 @@ fn motion(analysis: &Analysis, linkage: &Linkage, place: Unit) -> Vec<Fact> {
         let fact = Fact::number("fact-transmission", angle, Unit::ANGLE).of("group", number(group + 1));
         fact.at(&[at], place).about(Column::of(Quantity::Condition, Owner::Group(group)))
     }));
+    facts
+}
+
+/// How far slides and links go in the positions that are calculated: a mechanism that can't be assembled everywhere has no strokes.
+fn travels(analysis: &Analysis, linkage: &Linkage, place: Unit) -> Vec<Fact> {
+    let (table, input) = (&analysis.positions, linkage.mechanism.input.link);
+    let is_output = |column: &Column| match column.owner {
+        Owner::Link(link) => link != input,
+        Owner::Slide(slide) => linkage.mechanism.slides[slide].on == GROUND,
+        _ => false,
+    };
+    let mut facts = Vec::new();
+    for column in table.schema().columns().iter().filter(|column| is_output(column)) {
+        let is_angle = matches!(column.owner, Owner::Link(_));
+        let owner = table.schema().named(column.owner).map(Text::from).unwrap_or_default();
+        let of = |fact: Fact| fact.of("slide", owner.clone()).about(*column);
+        if column.quantity == Quantity::Transfer(0) {
+            let ends = |row| Some(Turn::at(table.get(row, Column::COORDINATE)?, table.get(row, *column)?));
+            let turns: Vec<Turn> = (0..table.len()).filter_map(ends).collect();
+            let found = Turn::statistic(&turns);
+            let Some((least, most)) = found.least().zip(found.greatest()) else { continue };
+            let travel = Fact::number("fact-travel", most.value - least.value, Unit::place(is_angle));
+            facts.push(of(travel.at(&[turns[least.number].at, turns[most.number].at], place)));
+        } else if column.quantity == Quantity::Velocity
+            && let Some(turn) = farthest(analysis, *column)
+        {
+            facts.push(of(extreme("fact-fastest", turn, Unit::rates(is_angle)[0], place)));
+        }
+    }
     facts
 }
 
@@ -192,12 +221,17 @@ fn balancing(analysis: &Analysis, linkage: &Linkage, place: Unit) -> Vec<Fact> {
 }
 
 /// What has no solution, so that nothing after it speaks of everything.
-fn lost(analysis: &Analysis) -> Vec<Fact> {
-    let failures = analysis.survey.failures;
-    let positions = (failures > 0).then(|| Fact::text("fact-lost-positions", count(failures)));
+fn lost(analysis: &Analysis, linkage: &Linkage) -> Vec<Fact> {
+    let (all, solved) = (linkage.mechanism.input.positions, analysis.survey.rows);
+    let of_all = |found: usize| text!("fact-of-all", found = number(found), all = number(all));
+    let forceless = (solved + analysis.survey.failures).saturating_sub(all);
+    let positions = [
+        (solved < all).then(|| Fact::text("fact-solved-positions", of_all(solved))),
+        (forceless > 0).then(|| Fact::text("fact-forceless-positions", of_all(forceless))),
+    ];
     let motion = analysis.no_motion.as_ref();
     let motion = motion.map(|_| Fact::text("fact-wanted-motion", text!("fact-not-found")));
-    [positions, motion].into_iter().flatten().collect()
+    positions.into_iter().chain([motion]).flatten().collect()
 }
 
 /// How many checks hold, or which of them fail; `None` before they are done.

@@ -9,6 +9,7 @@ use std::f64::consts::TAU;
 use std::ops::Bound as End;
 use std::sync::LazyLock;
 
+use assur_mechanism::{Key, Step};
 use assur_words::{Describe, Language, Text, joined, name, text};
 
 use crate::units::Dimension;
@@ -292,6 +293,18 @@ pub fn search<'w>(
         let keys: Vec<_> = table.keys.iter().filter(found).collect();
         (!keys.is_empty()).then_some((table, keys))
     })
+}
+
+/// What the reference says of a value of a scene, and the words by which people look for it: `length` for a point of a link. None
+/// where it has no such key.
+pub fn words_of(key: &Key) -> impl Iterator<Item = Text> + '_ {
+    let named = |step: &'_ Step, name: &str| matches!(step, Step::Name(own) if own == name);
+    let (first, rest) =
+        key.steps().split_first().map_or((None, &[][..]), |(first, rest)| (Some(first), rest));
+    let tables = TABLES.iter().filter(move |table| first.is_some_and(|first| named(first, table.name())));
+    let keys = tables.flat_map(|table| &table.keys);
+    let within = keys.filter(move |key| rest.iter().any(|step| named(step, key.name)));
+    within.flat_map(|key| [text!(key.about), name(key.also)])
 }
 
 /// The name of a key or table that is spelled nearly like a word.

@@ -2,6 +2,8 @@
 
 use assur_fixtures::SCENES;
 use assur_picture::{Look, Picture, find};
+use assur_scene::edit::SceneValue;
+use assur_scene::reference::words_of;
 use assur_words::{self as words, Text, text};
 
 use super::{act, motors, picker, whatif, write};
@@ -227,13 +229,16 @@ pub(super) fn search(state: &mut State, text: &str) {
 
 /// Chooses the next row of the list of a view in which a text occurs.
 fn row(state: &mut State, view: View, wanted: &str) -> Result<(), Vec<String>> {
-    let rows: Vec<Text> = match (view, state.found()) {
-        (View::Values, _) => state.what_if.values.iter().map(|value| (&value.key).into()).collect(),
-        (View::Results, Some(found)) => found.results.iter().map(|(_, fact)| fact.what()).collect(),
-        (_, Some(found)) => found.analysis.checks.iter().map(|check| check.name.clone()).collect(),
+    let of_value =
+        |value: &SceneValue| std::iter::once((&value.key).into()).chain(words_of(&value.key)).collect();
+    let rows: Vec<Vec<Text>> = match (view, state.found()) {
+        (View::Values, _) => state.what_if.values.iter().map(of_value).collect(),
+        (View::Results, Some(found)) => found.results.iter().map(|(_, fact)| vec![fact.what()]).collect(),
+        (_, Some(found)) => found.analysis.checks.iter().map(|check| vec![check.name.clone()]).collect(),
         _ => Vec::new(),
     };
-    let rows: Vec<_> = rows.into_iter().map(|row| vec![state.told(row)]).collect();
+    let told = |row: Vec<Text>| row.into_iter().map(|text| state.told(text)).collect::<Vec<_>>();
+    let rows: Vec<_> = rows.into_iter().map(told).collect();
     let (chosen, _) = act::list(state, view);
     let found = find::by_name(&rows, *chosen, wanted);
     *chosen = found.ok_or_else(|| rows.into_iter().flatten().collect::<Vec<_>>())?;

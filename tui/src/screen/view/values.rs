@@ -75,7 +75,6 @@ pub(crate) fn tail(key: &str, width: usize) -> String {
     format!("..{end}").chars().take(width).collect()
 }
 
-const NAME: usize = 13;
 const DIGITS: usize = 4;
 
 /// One result: its name with its unit, and its value in a scene.
@@ -113,8 +112,8 @@ fn results_of(state: &State, scene: &Results) -> Vec<Finding> {
     results
 }
 
-/// The results before and after; none unless there is a scene before the changes.
-fn results(state: &State) -> Vec<String> {
+/// Name, value before, value after, and the change of each result; none unless there is a scene before the changes.
+fn results(state: &State) -> Vec<[String; 4]> {
     let before = state.compared.as_ref().filter(|compared| compared.before);
     let (Some(scene), Some(before)) = (&state.scene, before) else { return Vec::new() };
     let old = results_of(state, &before.results);
@@ -123,7 +122,7 @@ fn results(state: &State) -> Vec<String> {
         let part = || format!("{:+.1}", 1e2 * (new - old) / old.abs());
         let change = if *old == 0.0 { String::new() } else { state.told(number(part())) + " %" };
         let [old, new] = [*old, new].map(|value| state.told(number(digits(value, DIGITS))));
-        Some(format!("{:<NAME$}{old:>8} -> {new:<8}{change:>7}", cut(&state.told(what), NAME)))
+        Some([state.told(what), old, new, change])
     };
     results_of(state, scene).into_iter().filter_map(row).collect()
 }
@@ -137,7 +136,15 @@ fn draw_results(pen: &mut Pen<'_>, area: Rect) {
         .title(format!(" {} ", pen.state.told(text!("values-results"))));
     let inner = block.inner(area);
     block.render(area, pen.buffer);
-    let lines: Vec<_> = results(pen.state).into_iter().map(|row| (Role::Plain, row)).collect();
+    let rows = results(pen.state);
+    let widest = |column: usize| rows.iter().map(|row| row[column].width()).max().unwrap_or(0);
+    let [before, after, change] = [1, 2, 3].map(widest);
+    // The values are whole; the names share what they leave.
+    let room = usize::from(inner.width).saturating_sub(before + after + change + " ->  ".len() + 1);
+    let line = |[what, old, new, part]: &[String; 4]| {
+        format!("{:<room$} {old:>before$} -> {new:<after$} {part:>change$}", cut(what, room))
+    };
+    let lines: Vec<_> = rows.iter().map(|row| (Role::Plain, line(row))).collect();
     let rows = usize::from(inner.height);
     pen.put_lines(inner, 0, lines.iter().take(rows));
 }
