@@ -390,6 +390,7 @@ draw-no-step = there is no step { $step }: the construction has steps 1 to { $la
 draw-no-position = there is no position { $position }; they are numbered 0 to { $last }
 draw-no-parts = the view `{ $view }` has no parts
 draw-no-part = there is no part `{ $part }` of this view; its parts are { $parts }
+draw-no-part-here = this scene has no part `{ $part }` here; it has { $parts }
 draw-svg-alone = --animate writes SVG alone: name a file that ends in .svg
 screen-terminal-fails = error: the terminal can't be used: { $problem }
 

@@ -365,6 +365,7 @@ draw-no-step = шага { $step } нет: в построении шаги от 
 draw-no-position = положения { $position } нет; их номера — от 0 до { $last }
 draw-no-parts = у вида `{ $view }` нет частей
 draw-no-part = части `{ $part }` у этого вида нет; его части: { $parts }
+draw-no-part-here = части `{ $part }` для этой сцены здесь нет; есть { $parts }
 draw-svg-alone = --animate пишет только SVG: назовите файл с окончанием .svg
 screen-terminal-fails = ошибка: терминалом не удаётся воспользоваться: { $problem }
 

@@ -362,6 +362,7 @@ draw-no-step = кроку { $step } немає: у побудові кроки �
 draw-no-position = положення { $position } немає; їхні номери — від 0 до { $last }
 draw-no-parts = вид `{ $view }` не має частин
 draw-no-part = частини `{ $part }` у цього виду немає; його частини: { $parts }
+draw-no-part-here = частини `{ $part }` для цієї сцени тут немає; є { $parts }
 draw-svg-alone = --animate пише лише SVG: назвіть файл із закінченням .svg
 screen-terminal-fails = помилка: терміналом не вдається скористатися: { $problem }
 

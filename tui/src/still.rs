@@ -133,10 +133,11 @@ pub(crate) fn draw(
     let picked = choose(results, request, part, &mut look, language)?;
     look.picked = &picked;
     // Several lie over each other as curves, and have no other part.
-    let curves = [ViewPart::Overview, ViewPart::Curves];
-    if let Some(wanted) = wanted.filter(|wanted| picked.len() > 1 && !curves.contains(wanted)) {
-        let parts = list(curves.map(|part| name(<&str>::from(part))));
-        return Err(text!("draw-no-part", part = name(<&str>::from(wanted)), parts).into());
+    let several = vec![ViewPart::Overview, ViewPart::Curves];
+    let there = if picked.len() > 1 { several } else { request.view.parts_of(results, &look) };
+    if let Some(wanted) = wanted.filter(|wanted| request.view.is_in(results) && !there.contains(wanted)) {
+        let parts = list(there.into_iter().map(|part| name(<&str>::from(part))));
+        return Err(text!("draw-no-part-here", part = name(<&str>::from(wanted)), parts).into());
     }
     let part = request.view.part(results, &look, wanted);
     if let Some(step) = request.step {

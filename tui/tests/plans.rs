@@ -181,10 +181,26 @@ fn several_reactions_are_drawn_together_with_their_values() {
     }
     for (more, problem) in [
         (&["--show", "C on rockr"][..], "`C on rockr` was not found; did you mean `C on rocker`?"),
-        (&["--show", "A,C", "--part", "hodograph"], "there is no part `hodograph`"),
+        (&["--show", "A,C", "--part", "hodograph"], "no part `hodograph` here; it has overview, curves"),
     ] {
         let output = draw(more);
         let told = String::from_utf8(output.stderr).unwrap();
         assert!(output.status.code() == Some(2) && told.contains(problem), "{told}");
+    }
+}
+
+#[test]
+fn a_part_that_a_scene_does_not_have_is_an_error_and_no_other_picture() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("a.svg");
+    for (view, part, has) in
+        [("motion", "iteration", "overview"), ("motion", "course", "overview, reduction")]
+    {
+        let output =
+            assur(&["draw", "shaper.toml", "--view", view, "--part", part, "-o", path.to_str().unwrap()]);
+        let told = String::from_utf8(output.stderr).unwrap();
+        let wanted = format!("this scene has no part `{part}` here; it has {has}");
+        assert!(output.status.code() == Some(2) && told.contains(&wanted), "{told}");
+        assert!(!path.exists());
     }
 }
