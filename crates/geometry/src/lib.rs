@@ -11,6 +11,7 @@
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
 mod course;
+mod crank;
 mod data;
 mod instant;
 mod measure;
@@ -19,6 +20,7 @@ mod rigid;
 assur_words::resources!();
 
 pub use course::{Extremes, Stroke};
+pub use crank::{CrankCondition, crank_conditions};
 pub use data::{AtPosition, ForceAngles, Geometry, PartCourse};
 pub use instant::{Center, CenterAt, Centers, Curvature, centers_of, instant_centers};
 pub use measure::{GeometryError, Overview, courses, distances, geometry, overview};

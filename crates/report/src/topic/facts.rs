@@ -2,7 +2,7 @@
 
 use assur_analysis::results::{Analysis, Column, Owner, Part, Quantity, Turn};
 use assur_book::{Fact, ROUNDING, Unit, catalogue};
-use assur_geometry::overview;
+use assur_geometry::{CrankCondition, crank_conditions, overview};
 use assur_kinematics::Linkage;
 use assur_mechanism::GROUND;
 use assur_words::{Text, count, joined, list, name, number, text};
@@ -45,6 +45,7 @@ pub fn results(analysis: &Analysis, linkage: &Linkage) -> Vec<(About, Fact)> {
     regime.extend(regime::facts(analysis).into_iter().filter(|fact| main.contains(&fact.id)));
     let all = [
         (About::Structure, structure(analysis)),
+        (About::Structure, cranks(linkage)),
         (About::Checks, lost(analysis, linkage)),
         (About::Motion, motion(analysis, linkage, place)),
         (About::Forces, forces),
@@ -66,6 +67,25 @@ fn structure(analysis: &Analysis) -> Vec<Fact> {
         Fact::text("fact-formula", Text::from(&structure.formula)),
         Fact::text("fact-class", list([class, text!("fact-mobility", number = number(structure.mobility))])),
     ]
+}
+
+/// Whether the crank of each four-bar turns fully, and how long it may be.
+fn cranks(linkage: &Linkage) -> Vec<Fact> {
+    let named = |link: usize| Text::from(&linkage.mechanism.links[link].name);
+    let fact = |found: CrankCondition| {
+        let [least, most] = found.turning.map(|length| Unit::LENGTH.show(length));
+        let crank = Unit::LENGTH.show(found.crank);
+        let told = match (found.holds(), found.turning[0] > 0.0) {
+            _ if found.turning[0] > found.turning[1] => text!("fact-crank-never", crank),
+            (true, false) => text!("fact-crank-turns", crank, most),
+            (false, false) => text!("fact-crank-stops", crank, most),
+            (true, true) => text!("fact-long-crank-turns", crank, least, most),
+            (false, true) => text!("fact-long-crank-stops", crank, least, most),
+        };
+        let [coupler, rocker] = found.links.map(named);
+        Fact::text("fact-crank-condition", told).of("coupler", coupler).of("rocker", rocker)
+    };
+    crank_conditions(&linkage.mechanism).into_iter().map(fact).collect()
 }
 
 fn end_of_motion(analysis: &Analysis) -> Vec<Fact> {

@@ -413,3 +413,23 @@ fn escape_leaves_the_first_list_and_tab_names_no_scene() {
     command::press(&mut state, KeyEvent::new(KeyCode::Esc, KeyModifiers::NONE));
     assert!(matches!(state.effects[..], [Effect::Quit]));
 }
+
+#[test]
+fn the_singular_places_of_the_last_group_are_seen() {
+    for name in ["six-links", "triad", "contour", "conveyor", "shaper"] {
+        let mut state = opened(name);
+        press(&mut state, "9");
+        let groups = state.scene.as_ref().unwrap().linkage.structure.groups.len();
+        (1..groups).for_each(|_| press(&mut state, "Down"));
+        let singular = &state.scene.as_ref().unwrap().linkage.structure.groups[groups - 1].plugin.singular;
+        let told = state.told(singular);
+        let frame = text(&state, 80, 24);
+        let last = told.split_whitespace().next_back().unwrap();
+        let left: String = frame
+            .lines()
+            .skip(6)
+            .map(|line| line.chars().take(45).chain(['\n']).collect::<String>())
+            .collect();
+        assert!(left.contains(last) && left.contains("> "), "{name}: {last}: {frame}");
+    }
+}

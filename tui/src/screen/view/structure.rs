@@ -11,6 +11,8 @@ use crate::screen::state::{Role, Scene, State};
 
 /// Indent of the text on a group, in columns.
 const INDENT: usize = 5;
+/// How a line begins that belongs to the group above it.
+const NEXT: &str = "   ";
 /// Rows of a drawing below the text.
 const DRAWING: u16 = 24;
 /// Digits of the least determinant.
@@ -46,8 +48,11 @@ pub(super) fn draw(pen: &mut Pen<'_>, scene: &Scene, area: Rect) {
     }
     let lines = lines(state, scene, tree.width.saturating_sub(2));
     let first = lines.iter().position(|line| line.0 == Role::Cursor).unwrap_or(0);
+    // The chosen group is seen with all that is told of it, of the last one to the end of the list.
+    let is_next = |line: &(Role, String)| !line.1.starts_with(NEXT);
+    let end = lines.iter().skip(first + 1).position(is_next).map_or(lines.len(), |more| first + 1 + more);
     let height = usize::from(tree.height);
-    let skip = (first + 10).saturating_sub(height).min(lines.len().saturating_sub(height));
+    let skip = end.saturating_sub(height).min(first);
     let text = Rect { width: tree.width.saturating_sub(1), ..tree };
     pen.put_lines(text, 1, lines.iter().skip(skip).take(height));
     pen.mark_rows(tree, skip..lines.len().min(skip + height), lines.len());
@@ -89,7 +94,7 @@ fn lines(state: &State, scene: &Scene, width: u16) -> Vec<(Role, String)> {
         }
     }
     for passive in &linkage.misfits {
-        lines.extend(indented(topic::passive_part(passive, linkage.angular()), 2));
+        lines.extend(indented(topic::passive_part(passive, linkage.angular()), NEXT.len()));
     }
     lines
 }
@@ -129,8 +134,8 @@ fn details(state: &State, scene: &Scene, group: &assur_structure::Group, index: 
     }
     let plugin = group.plugin;
     let (own, home) = (name(plugin.name), name(plugin.crate_name));
+    lines.push(text!("structure-singular", places = &plugin.singular));
     lines.push(text!("structure-plugin", name = own, crate_name = home));
     lines.push(text!("structure-source", source = &plugin.source));
-    lines.push(text!("structure-singular", places = &plugin.singular));
     lines
 }

@@ -119,7 +119,11 @@ fn results(state: &State) -> Vec<[String; 4]> {
     let old = results_of(state, &before.results);
     let row = |(what, new): Finding| {
         let (_, old) = old.iter().find(|(known, _)| *known == what)?;
-        let part = || format!("{:+.1}", 1e2 * (new - old) / old.abs());
+        let part = || {
+            let part = format!("{:+.1}", 1e2 * (new - old) / old.abs());
+            // Less than is shown is no change in either sense.
+            if matches!(&*part, "+0.0" | "-0.0") { "0.0".to_owned() } else { part }
+        };
         let change = if *old == 0.0 { String::new() } else { state.told(number(part())) + " %" };
         let [old, new] = [*old, new].map(|value| state.told(number(digits(value, DIGITS))));
         Some([state.told(what), old, new, change])
