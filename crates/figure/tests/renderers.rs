@@ -55,7 +55,7 @@ fn an_arrow_has_its_head_at_the_tip_and_its_name_beside_it() {
 #[test]
 fn a_chart_keeps_to_its_place_and_rounding_is_zero() {
     let figure = chart("piston/ground on piston F  133.269 N and more", &[1.27e-14, 367.0, 100.0], 0.0);
-    let spots = cells::draw(&figure, [40, 7], look(Marker::Braille));
+    let spots = cells::draw(&figure, [40, 6], look(Marker::Braille));
     assert!(row(&spots, 0).ends_with("133.269 N a…"), "{}", row(&spots, 0));
     // Where the curve has rows enough, the title takes two.
     let spots = cells::draw(&figure, [40, 8], look(Marker::Braille));
