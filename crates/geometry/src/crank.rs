@@ -13,18 +13,27 @@ pub struct CrankCondition {
     pub links: [LinkId; 2],
     /// Length of the crank, m.
     pub crank: f64,
-    /// Least and greatest length with which it turns fully, m; with the other three lengths there is none where the first is
-    /// above the second.
+    /// Least and greatest length with which it turns fully, m: of the lengths up to that of the ground, or of those above it, the
+    /// ones on the side of the crank where there are any. With no length at all the first is above the second.
     pub turning: [f64; 2],
 }
+
+/// Rounding of a sum of lengths, as part of it.
+const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
 impl CrankCondition {
     /// Of the lengths of crank, coupler, rocker and ground, m.
     fn of(links: [LinkId; 2], [a, b, c, d]: [f64; 4]) -> Self {
         let apart = (b - c).abs();
+        // At a change point, as of a parallelogram, the limit is the length itself but for rounding.
+        let rounding = ROUNDING * (a + b + c + d);
+        let limit = |end: f64| if (end - a).abs() <= rounding { a } else { end };
+        let [short, long] =
+            [[0.0, (b + c - d).min(d - apart)], [d + apart, b + c - d]].map(|ends| ends.map(limit));
         // A crank longer than the ground turns about both pins of the ground.
-        let turning = if a > d { [d + apart, b + c - d] } else { [0.0, (b + c - d).min(d - apart)] };
-        Self { links, crank: a, turning }
+        let [own, other] = if a > d { [long, short] } else { [short, long] };
+        let is_empty = |[least, most]: [f64; 2]| least > most;
+        Self { links, crank: a, turning: if is_empty(own) && !is_empty(other) { other } else { own } }
     }
 
     /// Whether the crank turns fully.
@@ -88,8 +97,26 @@ mod tests {
             let near = found.turning.iter().any(|end| (end - lengths[0]).abs() < 1e-4);
             assert!(near || found.holds() == turns(lengths), "{lengths:?}: {found:?}");
             held[usize::from(found.holds())] += 1;
+            // What it says of other lengths holds too.
+            let [_, b, c, d] = lengths;
+            let [least, most] = found.turning;
+            if least <= most {
+                assert!(turns([0.5 * (least + most), b, c, d]), "{lengths:?}: {found:?}");
+            } else {
+                let none = (1..60).all(|tenth| !turns([0.2 * f64::from(tenth), b, c, d]));
+                assert!(none, "{lengths:?}: {found:?}");
+            }
         }
         assert!(held.iter().all(|count| *count > 300), "{held:?}");
+    }
+
+    #[test]
+    fn a_parallelogram_turns_over_its_change_points() {
+        for lengths in [[0.1, 0.4, 0.1, 0.4], [0.3, 0.7, 0.3, 0.7], [0.4, 0.1, 0.4, 0.1]] {
+            assert!(CrankCondition::of([1, 2], lengths).holds(), "{lengths:?}");
+        }
+        // A thousandth of a millimeter is no rounding.
+        assert!(!CrankCondition::of([1, 2], [0.100_001, 0.4, 0.1, 0.4]).holds());
     }
 
     #[test]
