@@ -239,3 +239,37 @@ fn the_results_do_not_say_that_all_checks_hold_over_a_lost_position() {
     assert!(row("positions with a solution").unwrap().contains(" 0 of 24"), "{text}");
     assert_eq!(row("checks passed  "), None, "{text}");
 }
+
+#[test]
+fn half_a_cycle_keeps_its_positions_its_travel_and_the_limit_of_the_crank() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = assur_fixtures::scene("four-bar").replace("A = \"90 mm\"", "A = \"200 mm\"");
+    fs::write(folder.path().join("a.toml"), scene).unwrap();
+    let told = assur(folder.path(), &["analyze", "a.toml"]);
+    let text = String::from_utf8(told.stdout).unwrap();
+    let row = |words: &str| text.lines().find(|line| line.starts_with(words)).unwrap().to_owned();
+    // Crank, coupler and rocker, and the pivot of the rocker, mm; the triangle of coupler and rocker over the tip of the crank.
+    let ([a, b, c], [x, y]): ([f64; 3], [f64; 2]) = ([200.0, 280.0, 210.0], [320.0, -40.0]);
+    let mut angles: Vec<f64> = Vec::new();
+    for step in 0..36 {
+        let at = (10.0 * f64::from(step)).to_radians();
+        let [dx, dy] = [a * at.cos() - x, a * at.sin() - y];
+        let away = dx.hypot(dy);
+        let cosine = (c * c + away * away - b * b) / (2.0 * c * away);
+        if cosine.abs() <= 1.0 {
+            let angle = (dy.atan2(dx) - cosine.acos()).to_degrees();
+            let turns = angles.last().map_or(0.0, |before| ((before - angle) / 360.0).round());
+            angles.push(angle + 360.0 * turns);
+        }
+    }
+    assert!(row("positions with a solution").ends_with(&format!(" {} of 36", angles.len())), "{text}");
+    let ends = angles.iter().fold([f64::MAX, f64::MIN], |[low, high], at| [low.min(*at), high.max(*at)]);
+    let travel = row("travel of rocker in the calculated positions");
+    assert!(travel.contains(&format!(" {:.3} deg", ends[1] - ends[0])), "{travel}");
+    // Grashof, solved for the crank: b + c - d.
+    let most = format!(
+        "crank condition (Grashof) with coupler, rocker: does not turn fully: 200 mm, at most {:.2} mm",
+        b + c - x.hypot(y)
+    );
+    assert!(text.split_whitespace().collect::<Vec<_>>().join(" ").contains(&most), "{most}: {text}");
+}
