@@ -382,3 +382,23 @@ fn a_configuration_that_is_wrong_spoils_no_result() {
     let (with, without) = (run(folder.path()), run(Path::new("/nowhere")));
     assert_eq!((code(&with), out(&with), err(&with)), (0, out(&without), String::new()));
 }
+
+#[test]
+fn a_measure_by_its_key_has_the_columns_of_that_key_alone() {
+    let output = Command::new(env!("CARGO_BIN_EXE_assur"))
+        .args([
+            "sweep",
+            "shaper.toml",
+            "--vary",
+            "force.cutting.scale=0.5..2:2",
+            "--measure",
+            "positions.balancing",
+        ])
+        .current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/../fixtures"))
+        .output()
+        .unwrap();
+    let text = String::from_utf8(output.stdout).unwrap();
+    let columns: Vec<&str> = text.lines().next().unwrap().split(',').skip(4).collect();
+    let wanted = ["min", "max", "mean", "rms"].map(|word| format!("balancing_{word}_Nm"));
+    assert_eq!(columns, wanted);
+}

@@ -204,3 +204,38 @@ fn a_part_that_a_scene_does_not_have_is_an_error_and_no_other_picture() {
         assert!(!path.exists());
     }
 }
+
+#[test]
+fn the_numbers_of_causes_and_the_components_of_a_plan_are_explained_by_the_picture() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("a.svg");
+    let draw = |more: &[&str]| {
+        let output = assur(&[&["draw", "shaper.toml", "-o", path.to_str().unwrap()], more].concat());
+        assert_eq!(output.status.code(), Some(0));
+        std::fs::read_to_string(&path).unwrap()
+    };
+    let drawn = draw(&["--view", "forces", "--part", "causes", "--show", "O"]);
+    let found = json(&["analyze", "shaper.toml", "--plans", "0"]);
+    // The weights alone: what the plans of the position say of the same joint.
+    let shares = found["plans"][0]["by_cause"]["shares"].as_array().unwrap().clone();
+    for (number, share) in shares.iter().enumerate() {
+        let here = share["reactions"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .find(|of| of["joint"] == "O" && of["on"] == "crank");
+        let [x, y] = vector(&here.unwrap()["force"]);
+        let told = format!("{} {} ", number + 1, share["cause"].as_str().unwrap());
+        let size = drawn.split_once(&told).map(|(_, rest)| {
+            let digits =
+                rest.trim_start().split(|letter: char| letter != '.' && !letter.is_ascii_digit()).next();
+            digits.unwrap().parse::<f64>().unwrap()
+        });
+        assert_eq!(size.is_some(), x.hypot(y) > 0.0, "{told}");
+        assert!(size.is_none_or(|size| (size - x.hypot(y)).abs() < 1e-4 * size), "{told}{size:?}");
+    }
+    let drawn = draw(&["--view", "plans", "--part", "accelerations"]);
+    for name in ["an(A/O)", "at(S3/C)", "ac(A/A on rocker)"] {
+        assert!(drawn.contains(&format!("{name} ")), "{name}");
+    }
+}

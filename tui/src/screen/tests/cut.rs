@@ -78,3 +78,12 @@ fn a_shortened_text_ends_with_a_word() {
         assert_eq!(cut(whole, width), shown, "{whole}");
     }
 }
+
+#[test]
+fn values_are_found_by_words() {
+    let mut state = opened("shaper");
+    press(&mut state, "e");
+    write(&mut state, "/crank length");
+    let key = state.what_if.values[state.what_if.chosen].key.to_string();
+    assert!(key.starts_with("link.crank.points."), "{key}");
+}
