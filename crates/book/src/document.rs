@@ -7,6 +7,7 @@ use assur_words::{Text, joined, name, text, unit};
 use assur_worksheet::Term;
 
 use crate::catalogue::Unit;
+use crate::number::zero_if_rounding;
 use crate::table::{Cell, Column, Table};
 
 /// Blocks one after another, of which each is a text, a table or a drawing.
@@ -169,6 +170,14 @@ impl Fact {
     #[must_use]
     pub fn about(self, column: Quantity) -> Self {
         Self { column: Some(column), ..self }
+    }
+
+    /// Its number less that of another one of the same unit; `None` where one of them is no number.
+    #[must_use]
+    pub fn minus(&self, other: &Self) -> Option<Self> {
+        let (Value::Number(own), Value::Number(theirs)) = (&self.value, &other.value) else { return None };
+        let apart = zero_if_rounding(own - theirs, own.abs().max(theirs.abs()));
+        (self.unit == other.unit).then(|| Self { value: Value::Number(apart), ..self.clone() })
     }
 
     /// What it is.

@@ -18,6 +18,8 @@ pub enum AxisKind {
     Whole,
     /// Equal ratios, ticks at powers of ten.
     Logarithmic,
+    /// Equal steps without ticks, for rows that have names.
+    Unmarked,
 }
 
 /// An axis of a plot.
@@ -84,7 +86,7 @@ impl Axis {
         let [low, high] =
             if self.kind == AxisKind::Logarithmic { self.range.map(f64::log10) } else { self.range };
         let span = high - low;
-        if !(span.is_finite() && span > 0.0) {
+        if self.kind == AxisKind::Unmarked || !(span.is_finite() && span > 0.0) {
             return Vec::new();
         }
         let step = self.step(span / most.max(1) as f64);

@@ -118,3 +118,4 @@ forces-not-determined = no forces are determined in this position
 forces-over-time = In a motion from an initial state forces belong to its instants, not to the positions: assur analyze SCENE gives them over time.
 no-forces-found = There are no forces, since the motion that the scene asks for was not found:
 nothing-here = this scene has nothing for this view
+events-title = Events of the cycle: modes, friction, sides of guides

@@ -62,9 +62,9 @@ fn chosen<'a>(found: &'a Found, look: &Look<'_>) -> Option<&'a Reaction> {
     found.reactions.get(look.reaction)
 }
 
-/// Modulus of the difference of a reaction by two analyzers in a position; `None` if one of them does not have it.
+/// Modulus of the difference of a reaction by two analyzers, or of two scenes, in a position; `None` if one of them does not have it.
 pub fn difference(found: &Found, other: &Found, reaction: &Reaction, position: usize) -> Option<f64> {
-    let same = other.reactions.iter().find(|other| other.of == reaction.of)?;
+    let same = other.reactions.iter().find(|other| other.name == reaction.name)?;
     // Both projections, or the balancing load.
     let parts = reaction.series.iter().zip(&same.series).take(2);
     let apart = |(own, theirs): (&usize, &usize)| {

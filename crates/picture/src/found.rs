@@ -9,7 +9,7 @@ use assur_analysis::{AnalysisError, Calculation, Options, Watch};
 use assur_book::{Course, Fact, ROUNDING, Range, catalogue};
 use assur_kinematics::Linkage;
 use assur_mechanism::{LinkId, Named, PairId};
-use assur_report::topic::{self, About};
+use assur_report::topic::{self, About, Event};
 use assur_words::Text;
 
 use crate::{Planner, Series};
@@ -36,6 +36,8 @@ pub struct Found {
     pub edges: Edges,
     /// What is asked for first, each with what it is about; without the checks until they are done.
     pub results: Vec<(About, Fact)>,
+    /// What happens over the cycle.
+    pub events: Vec<Event>,
     /// What there was just before the samples at which the motion comes to rest.
     pub stops: Table,
     /// Every quantity of the results over the positions.
@@ -67,6 +69,7 @@ impl Found {
         // The view of the structure has it.
         results.retain(|(_, fact)| fact.id != "fact-formula");
         let stops = calculation.stops();
+        let events = topic::events(&analysis, &assur_analysis::modes(&linkage));
         // The whole mechanism is checked and has plans, whatever results the scene requests.
         let whole =
             if calculation.plan.all { None } else { calculation.whole(Arc::clone(&linkage), options).ok() };
@@ -84,6 +87,7 @@ impl Found {
             analysis,
             edges,
             results,
+            events,
             stops,
             series,
             reactions,

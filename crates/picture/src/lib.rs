@@ -14,6 +14,7 @@
 pub mod arrows;
 pub mod causes;
 pub mod curves;
+mod events;
 pub mod find;
 pub mod forces;
 mod found;
@@ -68,6 +69,8 @@ pub struct Look<'a> {
     pub step: usize,
     /// First quantity of the motion.
     pub motion: usize,
+    /// Index of the event of the cycle that is highlighted.
+    pub event: usize,
     /// Index in the columns of the results: the quantity that is looked for.
     pub column: usize,
     /// Short names of the quantities that lie over each other; none: PF0, PF1, PF2 of the chosen one.
@@ -139,6 +142,8 @@ pub enum ViewPart {
     Accelerations,
     /// A construction on paper.
     Construction,
+    /// What happens over the cycle.
+    Events,
 }
 
 /// Which derivatives of the points are drawn as arrows.

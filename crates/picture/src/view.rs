@@ -6,7 +6,7 @@ use assur_mechanism::Motion;
 use assur_words::{Text, joined, text};
 use strum::{EnumString, IntoStaticStr, VariantNames};
 
-use crate::{Look, Results, ViewPart, curves, forces, mechanism, motion, plans, regime};
+use crate::{Look, Results, ViewPart, curves, events, forces, mechanism, motion, plans, regime};
 
 /// A picture; its names are those of the views of the terminal UI.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, EnumString, IntoStaticStr, VariantNames)]
@@ -32,15 +32,16 @@ impl Picture {
     /// Its parts, the one that is shown first in front; none if it is one whole.
     pub fn parts(self) -> &'static [ViewPart] {
         use ViewPart::{
-            Accelerations, Causes, Construction, Course, Curves, EnergyMass, Forces, Hodograph, Inertia,
-            Iteration, Overview, Places, Reduction, Velocities,
+            Accelerations, Causes, Construction, Course, Curves, EnergyMass, Events, Forces, Hodograph,
+            Inertia, Iteration, Overview, Places, Reduction, Velocities,
         };
         match self {
             Self::Forces => &[Overview, Causes, Curves, Hodograph],
             Self::Plans => &[Forces, Velocities, Accelerations, Construction],
             Self::Motion => &[Overview, Course, Iteration, Reduction],
             Self::Drive => &[Overview, Curves, Places, EnergyMass, Inertia, Reduction],
-            Self::Mechanism | Self::Curves | Self::Structure => &[],
+            Self::Structure => &[Overview, Events],
+            Self::Mechanism | Self::Curves => &[],
         }
     }
 
@@ -58,6 +59,7 @@ impl Picture {
                 has_regime || found.is_some_and(|found| !found.analysis.trajectory.is_empty())
             }
             (Self::Motion, ViewPart::Iteration) => has_regime,
+            (Self::Structure, ViewPart::Events) => found.is_some_and(|found| !found.events.is_empty()),
             (Self::Motion, ViewPart::Reduction) => found.is_some_and(|found| {
                 let moment = Column::of(Quantity::ReducedMoment, Owner::Input);
                 results.linkage.angular() && found.analysis.positions.schema().find(moment).is_some()
@@ -123,6 +125,7 @@ impl Picture {
             Self::Plans => plans::figure(results, look, part),
             Self::Motion => motion::figure(results, look, part, usize::MAX),
             Self::Drive => regime::drive(results, look, part, 1),
+            Self::Structure if part == ViewPart::Events => events::figure(results, look),
             Self::Structure => mechanism::structure(results, look),
         }
     }

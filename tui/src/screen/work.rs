@@ -29,13 +29,18 @@ pub(crate) fn run(job: &Job, tell: &dyn Fn(Report)) -> Report {
     match job {
         Job::Read(wanted) => {
             let scene = match wanted {
-                Wanted::Open(source) | Wanted::Compare(source) => Session::open(source.clone()),
+                Wanted::Open(source) => Session::open(source.clone()),
+                Wanted::Compare(source, positions) => Session::open(source.clone()).map(|mut session| {
+                    // Both scenes have a position at the same part of their way.
+                    session.mechanism.input.positions = *positions;
+                    session
+                }),
                 Wanted::Preview(name) => Session::open(Source::Shipped(name)),
                 Wanted::Change(change) => change.session.changed(change.text.clone()),
             };
             let mut scene = scene.and_then(Scene::of).map(Box::new);
             // Forces and motion of a second scene are compared too.
-            if let (Wanted::Compare(_), Ok(scene)) = (wanted, &mut scene) {
+            if let (Wanted::Compare(..), Ok(scene)) = (wanted, &mut scene) {
                 let found = scene.session.found(&Options::default(), &mut assur_analysis::unwatched);
                 scene.found = found.ok().map(Box::new);
             }

@@ -91,6 +91,7 @@ fn vertical(map: &Map<'_>, language: &Language) -> Vec<Spot> {
     let rows = map.size[1];
     let [low, high] = map.y.range;
     let mut labels = vec![(0, high), (rows.saturating_sub(1), low)];
+    labels.retain(|_| map.y.kind != AxisKind::Unmarked);
     let zero = short(whole(map.row(0.0).max(0.0)));
     if low < 0.0 && high > 0.0 && zero > 0 && zero + 1 < rows {
         labels.push((zero, 0.0));

@@ -5,6 +5,7 @@ use assur_diagram::{Enveloping, EnvelopingPoint, SignChange};
 use assur_words::{Text, name, number, text};
 
 use super::Source;
+use super::events::how_changed;
 
 /// Sides of the guides, and enveloping.
 pub(super) fn contacts(source: &Source<'_>, page: &mut Document) {
@@ -27,8 +28,7 @@ fn sides(source: &Source<'_>, page: &mut Document) {
     });
     let how = |change: Option<&SignChange>| match change {
         None => text!("report-one-side"),
-        Some(change) if change.jump => text!("report-jumps"),
-        Some(_) => text!("report-passes-zero"),
+        Some(change) => how_changed(change),
     };
     let coordinate = source.coordinate();
     let table = Table::each(Text::default(), rows)

@@ -4,6 +4,7 @@ mod checks;
 mod contact;
 mod course;
 mod drive;
+mod events;
 mod explain;
 mod facts;
 mod forces;
@@ -26,6 +27,7 @@ use assur_words::{Text, name, text};
 
 pub use checks::checks;
 pub use drive::{advice, drive, flywheel_methods, flywheel_shaft, motor_facts};
+pub use events::{Event, events, list_of_events};
 pub use explain::explain;
 pub use facts::{About, checks_fact, results, summary};
 pub use forces::{balancing_at_positions, direction, force_heads, inertia_loads, reactions_at_positions};

@@ -173,7 +173,8 @@ fn modes(group: &GroupModes, unit: Unit, page: &mut Document) {
     }
 }
 
-fn mode_end(end: CourseEnd) -> Text {
+/// How a mode begins or ends.
+pub(super) fn mode_end(end: CourseEnd) -> Text {
     match end {
         CourseEnd::Cycle => text!("mode-end-cycle"),
         CourseEnd::With(other) => text!("mode-end-with", mode = ordinal(other)),

@@ -9,7 +9,7 @@ use crate::screen::state::{
     FRAMES, PACES, Pictures, Purpose, Role, Source, State, View, ViewPart, Wanted, following, next_kind,
     round,
 };
-use crate::screen::view::{plans, report, room};
+use crate::screen::view::{plans, report, room, structure};
 
 /// An eighth of the positions forward or back.
 pub(super) fn jump(state: &mut State, sense: isize) {
@@ -26,19 +26,36 @@ pub(super) fn choose(state: &mut State, view: View, by: isize) {
 /// Goes on (1) or back (-1) in the list of a plan, of force polygons at its ends to that of the next group.
 pub(super) fn plan(state: &mut State, by: isize) {
     let hidden = plans::hidden(state);
-    let next = state.chosen.vector.min(hidden).checked_add_signed(by).filter(|next| *next <= hidden);
     match state.part(View::Plans) {
         ViewPart::Construction => choose(state, View::Plans, by),
         ViewPart::Velocities | ViewPart::Accelerations => {
-            state.chosen.vector = next.unwrap_or(state.chosen.vector.min(hidden));
+            state.chosen.row = next_row(state, by, hidden).unwrap_or(state.chosen.row.min(hidden));
         }
-        _ => {
-            if next.is_none() {
-                choose(state, View::Plans, by);
-            }
-            state.chosen.vector = next.unwrap_or(0);
-        }
+        _ => choose_beyond(state, View::Plans, by, hidden),
     }
+}
+
+/// Goes on (1) or back (-1) in what is told of the chosen group, at its ends to the next one; or in the events of the cycle.
+pub(super) fn group(state: &mut State, by: isize) {
+    if state.part(View::Structure) == ViewPart::Events {
+        return choose(state, View::Structure, by);
+    }
+    let hidden = state.scene.as_ref().map_or(0, |scene| structure::hidden(state, scene));
+    choose_beyond(state, View::Structure, by, hidden);
+}
+
+/// The row that is the first one in sight after a step, while so many rows are out of sight; `None` beyond the ends.
+fn next_row(state: &State, by: isize, hidden: usize) -> Option<usize> {
+    state.chosen.row.min(hidden).checked_add_signed(by).filter(|next| *next <= hidden)
+}
+
+/// Shows the rows of the chosen item that are out of sight, and beyond them chooses the next item of the list.
+fn choose_beyond(state: &mut State, view: View, by: isize, hidden: usize) {
+    let next = next_row(state, by, hidden);
+    if next.is_none() {
+        choose(state, view, by);
+    }
+    state.chosen.row = next.unwrap_or(0);
 }
 
 /// The chosen item of the list in a view, and how many there are.
@@ -54,6 +71,7 @@ pub(super) fn list(state: &mut State, view: View) -> (&mut usize, usize) {
         found.map_or(0, |found| found.plans.at(*position).sheet.as_ref().map_or(0, count))
     };
     match (view, part) {
+        (View::Structure, ViewPart::Events) => (&mut chosen.event, of_found(|found| found.events.len())),
         (View::Structure, _) => (&mut chosen.group, of_scene(|scene| scene.linkage.structure.groups.len())),
         (View::Forces, _) => (&mut chosen.reaction, of_found(|found| found.reactions.len())),
         (View::Motion, _) => (&mut chosen.motion, of_found(|found| found.motion.len())),
@@ -117,13 +135,23 @@ pub(super) fn sort(state: &mut State) {
     };
 }
 
-/// Goes to the position at which the chosen group is nearest to a singular one.
+/// Goes to the position at which the chosen group is nearest to a singular one; or to the chosen event, from its beginning to its end.
 pub(super) fn nearest(state: &mut State) {
+    if state.part(View::Structure) == ViewPart::Events {
+        return event(state);
+    }
     let least = state.scene.as_ref().and_then(|scene| scene.least_health(state.chosen.group));
     match least {
         Some((_, at)) => state.go_to(at),
         None => state.say(Role::Plain, text!("say-group-nowhere")),
     }
+}
+
+fn event(state: &mut State) {
+    let ends = state.found().and_then(|found| found.events.get(state.chosen.event)).map(|event| event.ends);
+    let Some((scene, ends)) = state.scene.as_ref().zip(ends) else { return };
+    let [from, to] = ends.map(|end| scene.nearest(end));
+    state.go_to(if state.position == from { to } else { from });
 }
 
 pub(super) fn worst(state: &mut State) {
@@ -139,11 +167,10 @@ pub(super) fn part(state: &mut State) {
     state.parts.insert(view, next);
 }
 
-/// Reactions by cause, or the table of all again.
-pub(super) fn causes(state: &mut State) {
-    let next =
-        if state.part(View::Forces) == ViewPart::Causes { ViewPart::Overview } else { ViewPart::Causes };
-    state.parts.insert(View::Forces, next);
+/// Shows a part of the view, or the first part again.
+pub(super) fn turn(state: &mut State, part: ViewPart) {
+    let next = if state.part(state.view) == part { ViewPart::Overview } else { part };
+    state.parts.insert(state.view, next);
 }
 
 /// The registered force analyzer that supports the open scene and follows the one that is asked for; `None` where there is no

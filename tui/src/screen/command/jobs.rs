@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use assur_analysis::Options;
-use assur_words::{self as words, Text, name, number, text};
+use assur_words::{self as words, Text, name, text};
 
 use super::{modes, whatif};
 use crate::screen::state::{
@@ -87,7 +87,7 @@ pub(crate) fn take(state: &mut State, report: Report) -> bool {
             state.fault = Some((text!("say-read-fault"), text));
         }
         Report::Read(Wanted::Open(_), Ok(scene)) => open(state, *scene),
-        Report::Read(Wanted::Compare(_), Ok(scene)) => take_compared(state, scene),
+        Report::Read(Wanted::Compare(..), Ok(scene)) => take_compared(state, scene),
         Report::Noted(path, Ok(note)) => {
             let content = note.into_bytes();
             state.effects.push(Effect::Write(OutputFile { path, content, ..OutputFile::default() }));
@@ -133,21 +133,17 @@ fn take_outcome(state: &mut State, index: usize, outcome: Outcome) {
     }
 }
 
-/// Takes a second scene; one with other positions can't be compared.
+/// Takes a second scene, unless the open one has other positions by now.
 fn take_compared(state: &mut State, other: Box<Scene>) {
-    let Some(scene) = &state.scene else { return };
+    let Some(scene) = state.scene.as_ref().filter(|scene| scene.positions() == other.positions()) else {
+        return;
+    };
     let mut name = other.session.source.short_name();
-    if other.positions() == scene.positions() {
-        if name == scene.session.source.short_name() {
-            name = other.session.source.name();
-        }
-        let [name, own] = [name, scene.session.source.short_name()].map(words::name);
-        state.compared = Some(Compared { name, own, results: Box::new(other.results), before: false });
-    } else {
-        let (other, own) = (other.positions(), scene.positions());
-        let (scene, other, own) = (words::name(name), number(other), number(own));
-        state.say(Role::Bad, text!("say-other-positions", scene = scene, other = other, own = own));
+    if name == scene.session.source.short_name() {
+        name = other.session.source.name();
     }
+    let [name, own] = [name, scene.session.source.short_name()].map(words::name);
+    state.compared = Some(Compared { name, own, results: Box::new(other.results), before: false });
 }
 
 /// Shows a scene: a new one from its first position, a reread one at the position shown before.

@@ -126,7 +126,7 @@ fn compare(state: &mut State, file: &str) {
         "" => state.say(Role::Bad, text!("say-compare")),
         "off" => state.compared = None,
         _ if state.scene.is_none() => state.say(Role::Bad, text!("say-nothing-to-compare")),
-        _ => state.read(Wanted::Compare(source(file))),
+        _ => state.read(Wanted::Compare(source(file), state.positions())),
     }
 }
 

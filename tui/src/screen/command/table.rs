@@ -1,7 +1,7 @@
 //! The table of commands, used for dispatch, hints, help screen, `:` line and configuration.
 
 use super::{act, jump, line, modes, picker, probe, whatif, write};
-use crate::screen::state::{Command, Effect, Group, Help, PromptKind, State, View, Zoom, next_kind};
+use crate::screen::state::{Command, Effect, Group, Help, PromptKind, State, View, ViewPart, Zoom, next_kind};
 
 use Group::{Change, Choose, Look, Move, Program, Views};
 use View::{
@@ -58,8 +58,8 @@ pub(crate) const COMMANDS: &[Command] = &[
     command("do-point-up", Choose, "Up", &[Probe], |s| probe::shift(s, 1, 1.0)),
     command("do-point-down", Choose, "Down", &[Probe], |s| probe::shift(s, 1, -1.0)),
     command("do-point-link", Choose, "Tab", &[Probe], probe::link),
-    command("do-next-group", Choose, "Down j", &[Structure], |s| act::choose(s, Structure, 1)),
-    command("do-previous-group", Choose, "Up k", &[Structure], |s| act::choose(s, Structure, -1)),
+    command("do-next-group", Choose, "Down j", &[Structure], |s| act::group(s, 1)),
+    command("do-previous-group", Choose, "Up k", &[Structure], |s| act::group(s, -1)),
     command("do-nearest", Choose, "Enter", &[Structure], act::nearest),
     command("do-next-mode", Choose, "]", &[Structure], |s| modes::show(s, 1)),
     command("do-previous-mode", Choose, "[", &[Structure], |s| modes::show(s, -1)),
@@ -68,7 +68,8 @@ pub(crate) const COMMANDS: &[Command] = &[
     command("do-previous-reaction", Choose, "Up k", &[Forces], |s| act::choose(s, Forces, -1)),
     command("do-analyzer", Choose, "f", &[Forces, Plans], act::analyzer),
     command("do-difference", Choose, "d", &[Forces], act::difference),
-    command("do-causes", Choose, "b", &[Forces], act::causes),
+    command("do-causes", Choose, "b", &[Forces], |s| act::turn(s, ViewPart::Causes)),
+    command("do-events", Choose, "b", &[Structure], |s| act::turn(s, ViewPart::Events)),
     command("do-join", Choose, "Tab", &[Structure], act::join),
     command("do-part", Choose, "Tab", PARTS, act::part),
     command("do-next-step", Choose, "Down j", &[Plans], |s| act::plan(s, 1)),

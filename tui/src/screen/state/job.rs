@@ -60,7 +60,8 @@ pub(crate) enum Wanted {
     /// To be opened, perhaps again.
     Open(Source),
     /// For comparison with the open one.
-    Compare(Source),
+    /// A second scene, at so many positions.
+    Compare(Source, usize),
     /// A shipped scene, for its picture.
     Preview(&'static str),
     /// The open one with changed numbers.

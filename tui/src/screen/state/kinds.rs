@@ -110,11 +110,13 @@ pub(crate) struct Chosen {
     pub(crate) result: usize,
     /// Group whose force polygon is drawn; the last is the input link.
     pub(crate) polygon: usize,
-    /// First vector in the list of a plan.
-    pub(crate) vector: usize,
+    /// First vector that is shown of a plan, or first line of the chosen group, where not all have room.
+    pub(crate) row: usize,
     /// Last step of the construction that is drawn.
     pub(crate) step: usize,
     pub(crate) motion: usize,
+    /// Index in the events of the cycle.
+    pub(crate) event: usize,
     pub(crate) line: usize,
     pub(crate) equation: usize,
     pub(crate) column: usize,

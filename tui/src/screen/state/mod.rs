@@ -153,6 +153,11 @@ impl State {
         self.look.pixels && !covered && matches!(self.pictures, Pictures::Kitty | Pictures::Iterm)
     }
 
+    /// A second scene; not the open one before its numbers were changed.
+    pub(crate) fn second(&self) -> Option<&Compared> {
+        self.compared.as_ref().filter(|compared| !compared.before)
+    }
+
     pub(crate) fn measuring(&self) -> Option<&Running> {
         self.running.iter().find(|running| running.purpose == Purpose::Measurement)
     }
@@ -219,7 +224,7 @@ impl State {
     }
 
     pub(crate) fn pictured(&self) -> assur_picture::Look<'_> {
-        let Chosen { transfer, group, reaction, polygon, step, motion, column, .. } = self.chosen;
+        let Chosen { transfer, group, reaction, polygon, step, motion, event, column, .. } = self.chosen;
         assur_picture::Look {
             position: self.position,
             part: self.part_way(),
@@ -230,6 +235,7 @@ impl State {
             polygon,
             step,
             motion,
+            event,
             column,
             picked: &self.picked,
             arrows: self.arrows,

@@ -33,12 +33,59 @@ fn two_scenes_have_two_curves_and_a_difference() {
 #[test]
 fn what_can_not_be_compared_is_told() {
     let mut state = opened("shaper");
-    write(&mut state, ":compare slider-crank.toml");
-    assert!(text(&state, 120, 40).contains("slider-crank.toml has 24 positions, not 48"));
     write(&mut state, ":compare nowhere.toml");
     assert!(text(&state, 120, 40).contains("nowhere.toml: there is no such file"));
     // The drive changes no position.
     write(&mut state, ":compare shaper-drive.toml");
     press(&mut state, "2 Right");
     assert!(text(&state, 120, 40).contains("1 - 2: 0 mm"));
+}
+
+#[test]
+fn scenes_of_other_positions_are_compared_at_the_same_places() {
+    // Crank, so that the second scene with its own 24 positions has every other place of the first one.
+    let mut state = opened("shaper");
+    write(&mut state, ":compare shaper-friction.toml");
+    let own = opened("shaper-friction");
+    assert_eq!((state.positions(), own.positions()), (48, 24));
+    let second = state.second().unwrap().results.found.as_deref().unwrap();
+    let of_own = own.found().unwrap();
+    let mut compared = 0;
+    for one in &of_own.series {
+        // The residuals are those of checks, which only the open scene has.
+        let Some(same) = second.series.iter().find(|series| series.column == one.column) else { continue };
+        for position in 0..24 {
+            let [whole, every_other] = [one.at(position), same.at(2 * position)];
+            let apart = (whole - every_other).abs();
+            // Friction is iterated to 1e-9 or better.
+            assert!(apart <= 1e-7 * one.size() || whole.is_nan(), "{:?} {position}: {apart}", one.short);
+            compared += 1;
+        }
+    }
+    assert!(compared > 1000, "{compared}");
+}
+
+#[test]
+fn forces_and_results_of_two_scenes_stand_beside_each_other() {
+    let mut state = opened("shaper");
+    write(&mut state, ":compare shaper-friction.toml");
+    press(&mut state, "3");
+    let frame = text(&state, 120, 40);
+    let row = frame.lines().find(|line| line.contains("|1 - 2|")).unwrap_or_else(|| panic!("{frame}"));
+    assert!(row.contains("  1 ") && row.contains("  2 "), "{frame}");
+    let number = |text: &str| text.parse::<f64>().ok();
+    let numbers = |line: &str| line.split_whitespace().filter_map(number).collect::<Vec<_>>();
+    // The two numbers of the balancing moment, which have signs, and their difference.
+    let balancing = frame.lines().find(|line| line.contains("balancing") && line.contains("N·m")).unwrap();
+    let [one, two, apart] = numbers(balancing)[..] else { panic!("{frame}") };
+    assert!(((one - two).abs() - apart).abs() < 1e-3 * one.abs() && apart > 0.0, "{balancing}");
+    press(&mut state, "R");
+    let frame = text(&state, 120, 40);
+    let stroke = frame.lines().find(|line| line.contains("1 - 2")).unwrap_or_else(|| panic!("{frame}"));
+    assert!(stroke.contains("Quantity"), "{frame}");
+    let is_compared = |line: &&str| line.contains("N·m") || line.contains(" N ") || line.contains("deg");
+    let rows = frame.lines().skip(3).filter(is_compared).map(numbers).filter(|row| row.len() == 3);
+    let apart = |row: &Vec<f64>| (row[0] - row[1] - row[2]).abs() <= 1e-3 * row[0].abs().max(row[1].abs());
+    let count = rows.inspect(|row| assert!(apart(row), "{row:?} {frame}")).count();
+    assert!(count > 5, "{frame}");
 }

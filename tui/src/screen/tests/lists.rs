@@ -433,3 +433,45 @@ fn the_singular_places_of_the_last_group_are_seen() {
         assert!(left.contains(last) && left.contains("> "), "{name}: {last}: {frame}");
     }
 }
+
+#[test]
+fn all_that_is_told_of_a_group_can_be_scrolled_to() {
+    for name in ["triad", "six-links", "contour", "shaper"] {
+        let mut state = opened(name);
+        press(&mut state, "9");
+        let scene = state.scene.as_ref().unwrap();
+        let area = view::room(&state);
+        let told = view::structure::of_groups(&state, scene, area);
+        assert!(told.iter().any(|line| line.contains("source")), "{told:?}");
+        let mut seen = String::new();
+        for _ in 0..told.len() + scene.linkage.structure.groups.len() {
+            seen += &text(&state, 80, 24);
+            press(&mut state, "Down");
+        }
+        for line in told {
+            assert!(seen.contains(line.trim_matches([' ', '>'])), "{name}: {line}\n{}", text(&state, 80, 24));
+        }
+    }
+}
+
+#[test]
+fn the_events_of_the_cycle_are_bands_and_enter_goes_there() {
+    let mut state = opened("shaper-friction");
+    press(&mut state, "9 b");
+    let events = state.found().unwrap().events.clone();
+    let frame = text(&state, 80, 24);
+    assert!(frame.contains("mode 1 of group 1") && frame.contains("self-locking"), "{frame}");
+    // A place where the force of a guide changes its sign: between the position reached and one beside it.
+    let at = events.iter().position(|event| event.is_place()).unwrap();
+    (0..at).for_each(|_| press(&mut state, "Down"));
+    press(&mut state, "Enter");
+    assert!(text(&state, 80, 24).contains("changes side"));
+    let scene = state.scene.as_ref().unwrap();
+    let here = scene.linkage.mechanism.input.coordinate(state.position);
+    let step = std::f64::consts::TAU / 24.0;
+    assert!((here - events[at].ends[0]).abs() <= 0.5 * step + 1e-12, "{here} {:?}", events[at]);
+    let bands = view::figure(&state, View::Structure).unwrap();
+    assert_eq!(bands.legend.len(), events.iter().map(|event| event.band).max().unwrap());
+    press(&mut state, "b");
+    assert!(text(&state, 80, 24).contains("Formula") || text(&state, 80, 24).contains("I(ground"));
+}

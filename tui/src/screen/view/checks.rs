@@ -1,10 +1,10 @@
 //! Lists of which one row is chosen: the results that are asked for first; the checks as the report tells them, with the residuals
 //! over the positions.
 
-use assur_book::Table;
+use assur_book::{Fact, Table};
 use assur_picture::curves::residuals;
 use assur_report::topic;
-use assur_words::{Text, text};
+use assur_words::{Text, name, text};
 use ratatui::layout::{Constraint, Layout, Rect};
 
 use super::page;
@@ -36,10 +36,23 @@ pub(super) fn draw(pen: &mut Pen<'_>, scene: &Scene, area: Rect) {
 /// Draws the results that are asked for first, of which one is chosen.
 pub(super) fn draw_results(pen: &mut Pen<'_>, scene: &Scene, area: Rect) {
     let Some(found) = &scene.found else { return };
-    let table = Table::each(Text::default(), &found.results)
-        .column(text!("fact-quantity"), |(_, fact)| fact.what())
-        .column(text!("fact-value"), |(_, fact)| fact.with_unit())
-        .column(text!("fact-place"), |(_, fact)| fact.place());
+    let table =
+        Table::each(Text::default(), &found.results).column(text!("fact-quantity"), |(_, fact)| fact.what());
+    let table = match pen.state.second().and_then(|second| second.results.found.as_deref()) {
+        Some(other) => {
+            let same = |fact: &Fact| {
+                let mut others = other.results.iter().map(|(_, other)| other);
+                others.find(|other| (other.id, &other.of) == (fact.id, &fact.of))
+            };
+            table
+                .column(name("1"), |(_, fact)| fact.with_unit())
+                .column(name("2"), |(_, fact)| same(fact).map(Fact::with_unit))
+                .column(name("1 - 2"), |(_, fact)| fact.minus(same(fact)?).map(|apart| apart.with_unit()))
+        }
+        None => table
+            .column(text!("fact-value"), |(_, fact)| fact.with_unit())
+            .column(text!("fact-place"), |(_, fact)| fact.place()),
+    };
     let lines = page::told(pen.state, area.width.saturating_sub(2), |page| {
         page.table(table.table());
         page.paragraph(text!("report-between"));

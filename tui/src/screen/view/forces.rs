@@ -6,10 +6,11 @@ use assur_picture::causes::{CauseShare, part, parts, sum};
 use assur_picture::forces::{difference, figure, heading};
 use assur_picture::plans::has_forces;
 use assur_report::topic::{direction, force_heads};
-use assur_words::{Text, joined, name, number, text};
+use assur_words::{Text, joined, name, number, quantity, text};
 use ratatui::layout::{Constraint, Layout, Rect};
 
 use super::page;
+use crate::number::digits;
 use crate::screen::draw::{Pen, short};
 use crate::screen::state::{Found, Reaction, Role, Scene, State, View, ViewPart};
 
@@ -46,10 +47,30 @@ fn draw_table(pen: &mut Pen<'_>, scene: &Scene, found: &Found, area: Rect) {
     let last = Column::short(name(letter), of);
     let rows = found.reactions.iter().map(|reaction| cells(pen.state, scene, found, reaction));
     let table = Table::list(Text::default(), heads(text!("forces-pair"), last)).rows(rows);
+    let second = pen.state.second().and_then(|second| second.results.found.as_deref());
+    let table = second.map_or(table, |other| two(pen.state, found, other));
     let lines = page::told(pen.state, area.width.saturating_sub(2), |page| page.table(table));
     // The balancing load, the last one, stays in sight below the reactions.
     let pinned = usize::from(found.balancing().is_some());
     page::draw_chosen(pen, &lines, (pen.state.chosen.reaction, pinned), &|_| Role::Plain, area);
+}
+
+/// The modulus of each reaction in this position in two scenes, and that of their difference.
+fn two(state: &State, found: &Found, other: &Found) -> Table {
+    let shown = |found: &Found, reaction: &Reaction| {
+        let found_in = found.reactions.iter().find(|one| one.name == reaction.name);
+        found_in.map(|one| found.series[one.series[one.series.len() - 1]].show(state.position))
+    };
+    let apart = |reaction: &Reaction| {
+        let unit = found.series[reaction.series[0]].unit.name;
+        difference(found, other, reaction, state.position).map(|apart| quantity(digits(apart, 5), unit))
+    };
+    let table = Table::each(Text::default(), &found.reactions)
+        .column(text!("forces-pair"), |reaction| reaction.name.clone().short())
+        .column(name("1"), |reaction| shown(found, reaction))
+        .column(name("2"), |reaction| shown(other, reaction))
+        .column(name("|1 - 2|"), |reaction| apart(reaction));
+    table.table()
 }
 
 fn cells(state: &State, scene: &Scene, found: &Found, reaction: &Reaction) -> [Cell; 6] {

@@ -33,7 +33,7 @@ pub(super) fn draw(pen: &mut Pen<'_>, area: Rect) {
 
 fn title(state: &State, scene: &Scene) -> Text {
     let own = || name(scene.session.source.short_name());
-    match state.compared.as_ref().filter(|compared| !compared.before) {
+    match state.second() {
         Some(compared) => text!("header-compared", own = own(), other = &compared.name),
         None => name(scene.linkage.mechanism.title.clone()),
     }

@@ -15,7 +15,7 @@ mod page;
 pub(crate) mod picker;
 pub(crate) mod plans;
 pub(crate) mod report;
-mod structure;
+pub(crate) mod structure;
 mod table;
 pub(crate) mod values;
 

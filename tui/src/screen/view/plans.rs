@@ -82,7 +82,7 @@ fn list_of_plan(pen: &mut Pen<'_>, plan: &VectorPlan, list: Rect) {
     let lines = vectors(state, plan, list.width);
     // The closure error stands below; a long list must not push it out.
     let [above, below] = Layout::vertical([Constraint::Min(0), Constraint::Length(1)]).areas(list);
-    page::draw_from(pen, &lines, state.chosen.vector, above);
+    page::draw_from(pen, &lines, state.chosen.row, above);
     let open = number(format_args!("{:.1e}", plan.residual));
     let open = (Role::Header, state.told(text!("plans-open", open = open)));
     lines_of(pen, &[open], below);

@@ -1,18 +1,26 @@
 //! Formula, groups as a tree, and the chosen group marked in the drawing.
 
+use std::ops::Range;
+
+use assur_book::Unit;
+use assur_figure::Figure;
+use assur_picture::Picture;
 use assur_picture::mechanism::structure;
 use assur_report::topic;
 use assur_words::{self as words, Text, list, name, number, ordinal, text};
 use ratatui::layout::{Constraint, Layout, Rect};
 
+use super::page;
 use crate::number::{digits, plain};
 use crate::screen::draw::{Pen, cut, short, wrapped};
-use crate::screen::state::{Role, Scene, State};
+use crate::screen::state::{Role, Scene, State, View, ViewPart};
 
 /// Indent of the text on a group, in columns.
 const INDENT: usize = 5;
 /// How a line begins that belongs to the group above it.
 const NEXT: &str = "   ";
+/// Rows of the axis below the bands of the events.
+const AXIS: u16 = 3;
 /// Rows of a drawing below the text.
 const DRAWING: u16 = 24;
 /// Digits of the least determinant.
@@ -20,14 +28,10 @@ const LEAST: usize = 3;
 
 pub(super) fn draw(pen: &mut Pen<'_>, scene: &Scene, area: Rect) {
     let state = pen.state;
-    let [top, rest] = Layout::vertical([Constraint::Length(4), Constraint::Min(0)]).areas(area);
-    let text = lines(state, scene, rest.width.saturating_sub(2)).len();
-    // In a high area the drawing has the whole width below the text.
-    let [tree, drawing] = if usize::from(rest.height) >= text + usize::from(DRAWING) {
-        Layout::vertical([Constraint::Length(short(text) + 1), Constraint::Min(0)]).areas(rest)
-    } else {
-        Layout::horizontal([Constraint::Percentage(58), Constraint::Min(0)]).areas(rest)
-    };
+    if state.part(View::Structure) == ViewPart::Events {
+        return events(pen, scene, area);
+    }
+    let [top, tree, drawing] = parts(state, scene, area);
     let groups = &scene.linkage.structure;
     let head = |text: &str| cut(text, usize::from(top.width.saturating_sub(2)));
     pen.put(top, 1, 0, &head(&state.told(&groups.formula)), Role::Header);
@@ -47,16 +51,66 @@ pub(super) fn draw(pen: &mut Pen<'_>, scene: &Scene, area: Rect) {
         pen.put(top, 1, 2, &head(&state.told(nearest)), Role::Plain);
     }
     let lines = lines(state, scene, tree.width.saturating_sub(2));
-    let first = lines.iter().position(|line| line.0 == Role::Cursor).unwrap_or(0);
-    // The chosen group is seen with all that is told of it, of the last one to the end of the list.
-    let is_next = |line: &(Role, String)| !line.1.starts_with(NEXT);
-    let end = lines.iter().skip(first + 1).position(is_next).map_or(lines.len(), |more| first + 1 + more);
+    let Range { start, end } = of_chosen(state, &lines);
     let height = usize::from(tree.height);
-    let skip = end.saturating_sub(height).min(first);
+    let below = end.saturating_sub(height);
+    let skip = below.min(start + state.chosen.row);
     let text = Rect { width: tree.width.saturating_sub(1), ..tree };
     pen.put_lines(text, 1, lines.iter().skip(skip).take(height));
     pen.mark_rows(tree, skip..lines.len().min(skip + height), lines.len());
     pen.paint_zoomed(&structure(scene, &state.pictured()), state.zoom, drawing);
+}
+
+/// The events of the cycle, of which one is chosen, and below them their bands.
+fn events(pen: &mut Pen<'_>, scene: &Scene, area: Rect) {
+    let (state, Some(found)) = (pen.state, &scene.found) else { return };
+    let [title, area] = Layout::vertical([Constraint::Length(1), Constraint::Min(0)]).areas(area);
+    pen.tell(title, 1, 0, text!("events-title"), Role::Header);
+    let unit = Unit::place(scene.linkage.angular());
+    let lines = page::told(state, area.width.saturating_sub(2), |page| {
+        topic::list_of_events(&found.events, unit, page);
+    });
+    let bands = found.events.iter().map(|event| event.band).max().unwrap_or(0);
+    let rows = Constraint::Length(short(lines.len()) + 1);
+    let [list, below] = Layout::vertical([rows, Constraint::Min(short(bands) + AXIS)]).areas(area);
+    page::draw_chosen(pen, &lines, (state.chosen.event, 0), &|_| Role::Plain, list);
+    let figure = Picture::Structure.figure(scene, &state.pictured(), ViewPart::Events);
+    pen.paint(&Figure { legend: Vec::new(), title: Text::default(), ..figure }, below);
+}
+
+/// What stands above, the tree, and the drawing, which in a high area has the whole width below the tree.
+fn parts(state: &State, scene: &Scene, area: Rect) -> [Rect; 3] {
+    let [top, rest] = Layout::vertical([Constraint::Length(4), Constraint::Min(0)]).areas(area);
+    let text = lines(state, scene, rest.width.saturating_sub(2)).len();
+    let [tree, drawing] = if usize::from(rest.height) >= text + usize::from(DRAWING) {
+        Layout::vertical([Constraint::Length(short(text) + 1), Constraint::Min(0)]).areas(rest)
+    } else {
+        Layout::horizontal([Constraint::Percentage(58), Constraint::Min(0)]).areas(rest)
+    };
+    [top, tree, drawing]
+}
+
+/// The lines of the chosen group with all that is told of it, of the first one from the beginning of the list, of the last one to its
+/// end.
+fn of_chosen(state: &State, lines: &[(Role, String)]) -> Range<usize> {
+    let first = lines.iter().position(|line| line.0 == Role::Cursor).unwrap_or(0);
+    let is_next = |line: &(Role, String)| !line.1.starts_with(NEXT);
+    let end = lines.iter().skip(first + 1).position(is_next).map_or(lines.len(), |more| first + 1 + more);
+    if state.chosen.group == 0 { 0..end } else { first..end }
+}
+
+/// The lines of all groups, of which the chosen one is expanded.
+#[cfg(test)]
+pub(crate) fn of_groups(state: &State, scene: &Scene, area: Rect) -> Vec<String> {
+    let tree = parts(state, scene, area)[1];
+    lines(state, scene, tree.width.saturating_sub(2)).into_iter().map(|(_, line)| line).collect()
+}
+
+/// How many rows of the chosen group are out of sight while its first one is on top.
+pub(crate) fn hidden(state: &State, scene: &Scene) -> usize {
+    let tree = parts(state, scene, super::room(state))[1];
+    let lines = lines(state, scene, tree.width.saturating_sub(2));
+    of_chosen(state, &lines).len().saturating_sub(tree.height.into())
 }
 
 /// The tree; only the chosen group is expanded.

@@ -74,8 +74,7 @@ fn fitted(text: String, width: usize) -> String {
 
 /// The content of a cell: the value, or the difference to a second scene; of the coordinate always the value.
 fn value(state: &State, column: usize, series: &Series, position: usize) -> String {
-    let compared = state.compared.as_ref().filter(|compared| column > 0 && !compared.before);
-    let Some(compared) = compared else { return series.bare(position) };
+    let Some(compared) = state.second().filter(|_| column > 0) else { return series.bare(position) };
     match compared.difference(series, position) {
         None => "-".to_owned(),
         Some(difference) if difference.abs() <= series.unit.factor * series.floor => "0".to_owned(),
@@ -118,7 +117,7 @@ fn status(pen: &mut Pen<'_>, scene: &Scene, columns: &[(usize, u16)], area: Rect
         let sense = name(if up { "↑" } else { "↓" });
         let _ = write!(text, "   {}", state.told(text!("table-sorted", column = column, sense = sense)));
     }
-    if let Some(compared) = state.compared.as_ref().filter(|compared| !compared.before) {
+    if let Some(compared) = state.second() {
         let _ = write!(text, "   {}", state.told(text!("table-differences", scene = &compared.name)));
     }
     let text = cut(&text, usize::from(area.width.saturating_sub(2)));

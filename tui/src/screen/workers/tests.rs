@@ -8,12 +8,12 @@ use super::Workers;
 use crate::screen::state::{Job, Report, Source, Wanted};
 
 fn read(number: usize) -> Job {
-    Job::Read(Wanted::Compare(Source::File(PathBuf::from(format!("none-{number}.toml")))))
+    Job::Read(Wanted::Compare(Source::File(PathBuf::from(format!("none-{number}.toml"))), 1))
 }
 
 fn number(report: &Report) -> String {
     match report {
-        Report::Read(Wanted::Compare(source), Err(_)) => source.name(),
+        Report::Read(Wanted::Compare(source, _), Err(_)) => source.name(),
         other => panic!("{other:?}"),
     }
 }
