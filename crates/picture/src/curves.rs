@@ -42,14 +42,14 @@ pub fn figure(results: &Results, look: &Look<'_>) -> Figure {
 }
 
 fn panel(results: &Results, look: &Look<'_>, orders: [usize; 3], order: usize, ink: Ink) -> Panel {
-    let series = &results.series[orders[order]];
+    let own = &results.series[orders[order]];
+    let other = look.compared.and_then(|compared| Some((compared, in_radians(compared.series(own)?))));
+    let series = &in_radians(own);
     let mut value = quantity(series.bare(look.position), series.unit.name);
     let mut curves = vec![(series, Stroke::Solid, ink)];
-    if let Some(compared) = look.compared
-        && let Some(other) = compared.series(series)
-    {
+    if let Some((compared, other)) = &other {
         curves.push((other, stroke_of(compared), Ink::Text));
-        let difference = compared.difference(series, look.position).unwrap_or(f64::NAN);
+        let difference = series.at(look.position) - other.at(look.position);
         let difference = quantity(number(difference), series.unit.name);
         value = joined("", [value, name("   1 - 2: "), difference]);
     }
@@ -99,7 +99,7 @@ pub fn picked(results: &Results, look: &Look<'_>) -> Vec<Series> {
 
 /// The angle of a link in radians, by which its derivatives are taken, so that all three have one axis; other quantities as they are
 /// shown elsewhere.
-fn in_radians(series: &Series) -> Series {
+pub fn in_radians(series: &Series) -> Series {
     let is_angle =
         matches!((series.column.quantity, series.column.owner), (Quantity::Transfer(0), Owner::Link(_)));
     Series { unit: if is_angle { Unit::si("rad") } else { series.unit }, ..series.clone() }

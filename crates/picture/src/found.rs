@@ -197,7 +197,13 @@ fn mark_rounding(series: &mut [Series]) {
         let most = greatest.entry(one.unit.name).or_default();
         *most = most.max(one.course.size());
     }
+    let inertia = index(series, Column::of(Quantity::ReducedInertia, Owner::Input));
+    let inertia = inertia.map_or(0.0, |index| series[index].course.size());
     for one in series.iter_mut().filter(|one| !catalogue::is_ratio(one.column)) {
         one.floor = one.floor.max(ROUNDING * greatest[one.unit.name]);
+        // J' is a sum of terms of the size of J, which may cancel.
+        if one.column.quantity == Quantity::ReducedInertiaDerivative {
+            one.floor = one.floor.max(assur_number::ROUNDING * inertia);
+        }
     }
 }

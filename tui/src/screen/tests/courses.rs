@@ -5,11 +5,11 @@ use std::f64::consts::TAU;
 
 use assur_analysis::DRAWN;
 use assur_analysis::results::{Column, Quantity};
-use assur_figure::{Figure, Frame, Item};
+use assur_figure::{AxisKind, Figure, Frame, Item};
 use assur_fixtures::SCENES;
 use serde_json::Value;
 
-use super::{opened, press};
+use super::{opened, press, text};
 use crate::screen::state::{State, View, ViewPart, coordinate_unit};
 use crate::screen::view;
 
@@ -112,8 +112,9 @@ fn is_drawn(points: &[[f64; 2]], course: &Points, most: [f64; 2], [across, up]: 
 pub(crate) fn lines(figure: &Figure, of: &str) -> Vec<(String, Points)> {
     let mut lines = Vec::new();
     for panel in &figure.panels {
-        let Frame::Axes { x, .. } = &panel.frame else { continue };
-        if !(["coordinate", "time"].iter().any(|axis| x.label.to_string().starts_with(axis))) {
+        let Frame::Axes { x, y, .. } = &panel.frame else { continue };
+        // Bands are no curves.
+        if y.kind == AxisKind::Unmarked || !(["coordinate", "time"].iter().any(|axis| x.label.to_string().starts_with(axis))) {
             continue;
         }
         for item in &panel.items {
@@ -356,5 +357,37 @@ fn a_jump_of_a_load_is_a_vertical_step() {
             let wanted = height * ram.course.between(jump.at).unwrap().abs();
             assert!((size - wanted).abs() < 0.02 * wanted, "{name}: {size} {wanted}");
         }
+    }
+}
+
+/// All links of the chain of parallelograms turn alike or not at all, so J is constant.
+#[test]
+fn a_derivative_that_is_rounding_is_zero() {
+    let state = opened("n-four-bar-40");
+    let found = state.found().unwrap();
+    let derivative = found.series.iter().find(|series| series.short == "J'").unwrap();
+    assert!(derivative.course.size() > 0.0);
+    for position in 0..state.positions() {
+        assert_eq!(derivative.bare(position), "0");
+    }
+    let state = opened("shaper");
+    let series = &state.found().unwrap().series;
+    let derivative = series.iter().find(|series| series.short == "J'").unwrap();
+    assert!((0..48).filter(|position| derivative.bare(*position) == "0").count() < 4);
+}
+
+#[test]
+fn an_angle_and_its_derivatives_have_one_unit() {
+    let mut state = opened("four-bar");
+    let transfers = &state.scene.as_ref().unwrap().transfers;
+    state.chosen.transfer = transfers.iter().position(|one| one.name.to_string().contains("rocker")).unwrap();
+    for keys in ["1", "2"] {
+        press(&mut state, keys);
+        let frame = text(&state, 80, 24);
+        let units = ["PF0", "PF1", "PF2"].map(|order| {
+            let line = frame.lines().find(|line| line.contains(order)).unwrap();
+            line.split(order).nth(1).unwrap().split_whitespace().nth(1).unwrap().to_owned()
+        });
+        assert_eq!(units, ["rad", "rad/rad", "rad/rad²"], "{frame}");
     }
 }

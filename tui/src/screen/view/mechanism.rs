@@ -6,13 +6,14 @@ use assur_figure::cells::{cell_width, point_at};
 use assur_figure::{Figure, Ink, Stroke};
 use assur_mechanism::Motion;
 use assur_picture::arrows;
+use assur_picture::curves::in_radians;
 use assur_picture::mechanism::figure;
 use assur_words::{self as words, Text, joined, quantity, text};
 use ratatui::layout::{Constraint, Layout, Rect};
 
 use crate::number::digits;
 use crate::screen::draw::{Pen, cells, wrapped};
-use crate::screen::state::{Probe, Role, Scene, State};
+use crate::screen::state::{Probe, Role, Scene, Series, State};
 
 /// Columns of the numbers next to the drawing.
 const PANEL: u16 = 26;
@@ -122,17 +123,17 @@ fn of_probe(state: &State, scene: &Scene, probe: &Probe) -> Vec<(Role, String)> 
 /// PF0, PF1, PF2 of the chosen quantity, then PF0 of the others.
 fn quantities(state: &State, scene: &Scene) -> Vec<(Role, String)> {
     let Some(transfer) = scene.transfers.get(state.chosen.transfer) else { return Vec::new() };
-    let show = |index: usize| state.told(scene.series[index].show(state.position));
+    let show = |series: &Series| state.told(series.show(state.position));
     let mut lines = vec![(Role::Header, state.told(&transfer.name))];
     lines.extend(transfer.orders.iter().map(|index| {
         let order = catalogue::kind(scene.series[*index].column);
-        (Role::Plain, format!(" {} {}", state.told(order), show(*index)))
+        (Role::Plain, format!(" {} {}", state.told(order), show(&in_radians(&scene.series[*index]))))
     }));
     lines.push((Role::Plain, String::new()));
     let others = scene.transfers.iter().filter(|other| other.name != transfer.name);
     lines.extend(others.map(|other| {
         let first = other.orders[0];
-        let text = format!("{} {}", state.told(&scene.series[first].head), show(first));
+        let text = format!("{} {}", state.told(&scene.series[first].head), show(&scene.series[first]));
         // A link has its number in the drawing.
         match other.owner {
             Owner::Link(number) => (Role::Drawn(Ink::Link(number)), format!("{number} {text}")),
