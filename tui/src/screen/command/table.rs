@@ -1,7 +1,9 @@
 //! The table of commands, used for dispatch, hints, help screen, `:` line and configuration.
 
 use super::{act, jump, line, modes, picker, probe, whatif, write};
-use crate::screen::state::{Command, Effect, Group, Help, PromptKind, State, View, ViewPart, Zoom, next_kind};
+use crate::screen::state::{
+    Command, Effect, Group, Help, PromptKind, State, View, ViewPart, Zoom, next_kind,
+};
 
 use Group::{Change, Choose, Look, Move, Program, Views};
 use View::{

@@ -114,7 +114,9 @@ pub(crate) fn lines(figure: &Figure, of: &str) -> Vec<(String, Points)> {
     for panel in &figure.panels {
         let Frame::Axes { x, y, .. } = &panel.frame else { continue };
         // Bands are no curves.
-        if y.kind == AxisKind::Unmarked || !(["coordinate", "time"].iter().any(|axis| x.label.to_string().starts_with(axis))) {
+        if y.kind == AxisKind::Unmarked
+            || !(["coordinate", "time"].iter().any(|axis| x.label.to_string().starts_with(axis)))
+        {
             continue;
         }
         for item in &panel.items {
