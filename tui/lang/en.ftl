@@ -215,6 +215,7 @@ help-linear = The same as plain lines: assur analyze, assur check, assur explain
 works-in-view = { "" } (view { $views })
 works-in-views = { "" } (views { $views })
 works-not-in = { "" } (not { $views })
+header-instant = instant { $number } of { $count }  { $time }
 header-position = position { $number } of { $count }
 header-compared = 1 { $own } | 2 { $other }
 list-keys = type to search  Up/Down choose  { $mark }Enter take  { $close } close

@@ -208,6 +208,7 @@ help-linear = То же строками: assur analyze, assur check, assur expl
 works-in-view = { "" } (вид { $views })
 works-in-views = { "" } (виды { $views })
 works-not-in = { "" } (кроме { $views })
+header-instant = момент { $number } из { $count }  { $time }
 header-position = положение { $number } из { $count }
 header-compared = 1 { $own } | 2 { $other }
 list-keys = введите для поиска  Up/Down выбор  { $mark }Enter взять  { $close } закрыть

@@ -205,6 +205,7 @@ help-linear = Те саме рядками: assur analyze, assur check, assur ex
 works-in-view = { "" } (вид { $views })
 works-in-views = { "" } (види { $views })
 works-not-in = { "" } (крім { $views })
+header-instant = момент { $number } з { $count }  { $time }
 header-position = положення { $number } з { $count }
 header-compared = 1 { $own } | 2 { $other }
 list-keys = введіть для пошуку  Up/Down вибір  { $mark }Enter взяти  { $close } закрити

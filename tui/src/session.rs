@@ -151,7 +151,7 @@ impl Session {
             let all = found.plans.calculation().checks(Coverage::Sample, watch);
             found.take_checks(all.map_err(|stopped| stopped.describe())?);
         }
-        results.found = Some(Box::new(found));
+        results.take(Box::new(found));
         Ok(results)
     }
 

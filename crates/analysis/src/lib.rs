@@ -19,6 +19,7 @@ mod families;
 mod filler;
 mod friction;
 mod inputs;
+mod instants;
 mod joints;
 mod modes;
 mod motion;

@@ -8,7 +8,7 @@ use assur_diagram::{
     DiagramError, Enveloping, Hodograph, PlanSheet, Share, SignChange, Sizes, Solver, constructions,
     enveloping, sheet, sign_changes, split,
 };
-use assur_force::{AnalyzerPlugin, Construction, Loads};
+use assur_force::{AnalyzerPlugin, Construction, LoadState, Loads};
 use assur_group::Order;
 use assur_mechanism::{LinkId, Name, Named, PairId, SlideId};
 use assur_words::text;
@@ -30,6 +30,15 @@ impl Calculation {
         // An error names the number of the position.
         self.linkage.solve_index(index, Order::Place, &mut self.linkage.position())?;
         let state = self.state(self.linkage.mechanism.input.coordinate(index));
+        self.sheet_of(&state, self.positions_have_forces())
+    }
+
+    /// The plans of a sample of a transient motion.
+    pub fn sheet_of_sample(&self, state: &LoadState) -> Result<PlanSheet, DiagramError> {
+        self.sheet_of(state, true)
+    }
+
+    fn sheet_of(&self, state: &LoadState, has_forces: bool) -> Result<PlanSheet, DiagramError> {
         // At rest the plans are those for unit speed.
         let moves = state.speed != 0.0 || state.acceleration != 0.0;
         let own;
@@ -39,8 +48,8 @@ impl Calculation {
             own = Loads::compile(&self.linkage)?;
             &own
         };
-        let found = sheet(&self.linkage, loads, &state, moves, self.reaction_analyzer()?)?;
-        if self.positions_have_forces() {
+        let found = sheet(&self.linkage, loads, state, moves, self.reaction_analyzer()?)?;
+        if has_forces {
             return Ok(found);
         }
         Ok(PlanSheet { polygons: Vec::new(), constructions: Vec::new(), by_cause: None, ..found })
@@ -56,6 +65,17 @@ impl Calculation {
         };
         let state = self.state(position.coordinate);
         constructions(&self.linkage, &position, &loads.acting(&state, &position.bodies))
+    }
+
+    /// The same of a sample of a transient motion.
+    pub fn constructions_of_sample(
+        &self,
+        state: &LoadState,
+    ) -> Result<Vec<(&'static str, Construction)>, DiagramError> {
+        let mut position = self.linkage.position();
+        self.linkage.solve(state.coordinate, Order::Second, &mut position)?;
+        let Some(loads) = &self.loads else { return Ok(Vec::new()) };
+        constructions(&self.linkage, &position, &loads.acting(state, &position.bodies))
     }
 
     /// The analyzer of the calculation, where it gives reactions; else the default one.

@@ -34,7 +34,7 @@ impl Calculation {
     }
 
     /// The motion just before the second of two samples, and what acts there; `None` where the motion is not held at rest there.
-    fn before_rest(&self, two: &[Instant]) -> Option<(Instant, Acting)> {
+    pub(crate) fn before_rest(&self, two: &[Instant]) -> Option<(Instant, Acting)> {
         let (loads, [moving, rest]) = (self.loads.as_ref()?, [two[0].state, two[1].state]);
         let stops = moving.speed != 0.0 && rest.speed == 0.0 && matches!(rest.side, Side::Held { .. });
         let LoadState { time, coordinate, .. } = Some(rest).filter(|_| stops)?;

@@ -75,6 +75,14 @@ pub struct Range {
     pub means: Option<Means>,
 }
 
+impl Range {
+    /// What a course reaches; `None` where it has no value.
+    pub fn of_course(course: &Course) -> Option<Self> {
+        let [greatest, least] = course.highest_and_lowest()?.map(|[at, value]| Turn::at(at, value));
+        Some(Self { greatest, least, means: None })
+    }
+}
+
 /// What a quantity reaches, with its `course` over the positions; `None` where no position has a value.
 pub fn range(calculation: &Calculation, course: &Course, column: Column) -> Option<Range> {
     range_of(calculation, course, &reader(course, column))

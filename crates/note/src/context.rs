@@ -51,7 +51,7 @@ impl Context<'_> {
 
     /// `position 6, 45 deg`.
     pub(super) fn place(&self, position: usize) -> Text {
-        self.source().place(position)
+        self.results.place(position)
     }
 
     /// A caption that says to which position the values of the legend belong, the first of the chosen ones.

@@ -59,14 +59,13 @@ fn loads(context: &Context<'_>) -> Figure {
     let (results, found) = (context.results, context.found);
     let of = |series: &Series| {
         let Owner::Load(_) = series.column.owner else { return None };
-        let title = catalogue::owner(found.analysis.positions.schema(), series.column);
+        let title = catalogue::owner(found.rows().0.schema(), series.column);
         let nodes = series.course.nodes();
         let varies = nodes.iter().any(|node| (node.value - nodes[0].value).abs() > 0.0);
         let whole = nodes.len() == results.positions();
         let curve = [(series, Stroke::Solid, Ink::First)];
         let heading = [title, Text::default()];
-        let mut panel =
-            plots::over_positions(&results.linkage, &context.first(), heading, &curve, Vec::new());
+        let mut panel = plots::over_positions(results.base(&context.first()), heading, &curve, Vec::new());
         still(&mut panel);
         (varies && whole).then_some(panel)
     };

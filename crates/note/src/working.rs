@@ -8,8 +8,11 @@ use assur_words::text;
 use assur_working::{Done, Ending, EnergyForm, PositionOrSample, Task, Working, WorkingError};
 use assur_worksheet::Section;
 
-/// The working of a position: with its forces, unless the motion is found from an initial state.
+/// The working of a position, of a transient motion that of a sample: with the forces, where there are some.
 pub fn of_position(calculation: &Calculation, index: usize) -> Result<Working, WorkingError> {
+    if let Some(state) = calculation.sample(index).0 {
+        return of(calculation, PositionOrSample::Sample(index), state, true);
+    }
     let mechanism = &calculation.linkage.mechanism;
     let is_transient = matches!(mechanism.motion, Some(Motion::Transient { .. }));
     let has_forces = !is_transient && (mechanism.motion.is_some() || mechanism.has_loads());
@@ -17,8 +20,7 @@ pub fn of_position(calculation: &Calculation, index: usize) -> Result<Working, W
     of(calculation, PositionOrSample::Position(index), state, has_forces)
 }
 
-/// The working of a position, or of a sample of a transient motion, in which the motion has this state.
-pub fn of(
+fn of(
     calculation: &Calculation,
     place: PositionOrSample,
     state: assur_force::LoadState,

@@ -53,6 +53,7 @@ motion-time = time, s
 chart-coordinate = coordinate, { $unit }
 regime-against = { $load }, against the motion
 regime-excess-area = A* = { $work }
+instant-at = instant { $instant }, { $time }, { $at }
 position-at = position { $position }, { $at }
 no-motion-found = The motion that the scene asks for was not found:
 arrow-velocity = velocity
@@ -83,7 +84,6 @@ say-no-assembly = no assembly: { $reason }
 say-misses-beyond = no assembly: misses by { $gap } in { $place }; { $group }; it exists from { $from } to { $to }
 reduction-mechanism = the mechanism
 reduction-model = disc: M = { $moment }, J = { $inertia }
-reduction-at-rest = { $told } (at rest)
 reduction-with-flywheel = { $told } (with flywheel and rotor)
 
 # What there is no picture of, and what to add to the scene.
@@ -115,7 +115,6 @@ add-loads = This scene has no loads, so there are no forces. Add to the scene, f
     or gravity = "9.81 m/s^2" and masses.
 drive-no-motor = this regime has no motor from a catalogue
 forces-not-determined = no forces are determined in this position
-forces-over-time = In a motion from an initial state forces belong to its instants, not to the positions: assur analyze SCENE gives them over time.
 no-forces-found = There are no forces, since the motion that the scene asks for was not found:
 nothing-here = this scene has nothing for this view
 events-title = Events of the cycle: modes, friction, sides of guides

@@ -53,6 +53,7 @@ motion-time = время, с
 chart-coordinate = координата, { $unit }
 regime-against = { $load }, против движения
 regime-excess-area = A* = { $work }
+instant-at = момент { $instant }, { $time }, { $at }
 position-at = положение { $position }, { $at }
 no-motion-found = Движение, которого требует сцена, не найдено:
 arrow-velocity = скорость
@@ -83,7 +84,6 @@ say-no-assembly = механизм не собирается: { $reason }
 say-misses-beyond = механизм не собирается: не хватает { $gap }, { $place }; { $group }; собирается от { $from } до { $to }
 reduction-mechanism = механизм
 reduction-model = диск: M = { $moment }, J = { $inertia }
-reduction-at-rest = { $told } (в покое)
 reduction-with-flywheel = { $told } (с маховиком и ротором)
 
 # What there is no picture of, and what to add to the scene.
@@ -115,7 +115,6 @@ add-loads = У сцены нет нагрузок, поэтому нет сил.
     или gravity = "9.81 m/s^2" и массы.
 drive-no-motor = у этого режима нет двигателя из каталога
 forces-not-determined = в этом положении силы не определены
-forces-over-time = В движении из начального состояния силы относятся к моментам времени, а не к положениям: assur analyze SCENE даёт их во времени.
 no-forces-found = Сил нет, так как движение, которого требует сцена, не найдено:
 nothing-here = для этого вида у сцены ничего нет
 events-title = События цикла: варианты сборки, трение, стороны направляющих

@@ -53,6 +53,7 @@ motion-time = час, с
 chart-coordinate = координата, { $unit }
 regime-against = { $load }, проти руху
 regime-excess-area = A* = { $work }
+instant-at = момент { $instant }, { $time }, { $at }
 position-at = положення { $position }, { $at }
 no-motion-found = Руху, якого вимагає сцена, не знайдено:
 arrow-velocity = швидкість
@@ -83,7 +84,6 @@ say-no-assembly = механізм не складається: { $reason }
 say-misses-beyond = механізм не складається: бракує { $gap }, { $place }; { $group }; складається від { $from } до { $to }
 reduction-mechanism = механізм
 reduction-model = диск: M = { $moment }, J = { $inertia }
-reduction-at-rest = { $told } (у стані спокою)
 reduction-with-flywheel = { $told } (з маховиком і ротором)
 
 # What there is no picture of, and what to add to the scene.
@@ -115,7 +115,6 @@ add-loads = Сцена не має навантажень, тому немає �
     або gravity = "9.81 m/s^2" і маси.
 drive-no-motor = у цього режиму немає двигуна з каталогу
 forces-not-determined = у цьому положенні сили не визначено
-forces-over-time = У русі з початкового стану сили належать моментам часу, а не положенням: assur analyze SCENE подає їх у часі.
 no-forces-found = Сил немає, бо руху, якого вимагає сцена, не знайдено:
 nothing-here = для цього виду сцена не має нічого
 events-title = Події циклу: варіанти складання, тертя, боки напрямних

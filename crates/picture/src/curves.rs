@@ -9,7 +9,7 @@ use assur_figure::{Figure, Frame, Ink, Item, Key, Panel, Point, Sample, Sign, St
 use assur_words::{Text, joined, list, name, quantity, text};
 
 use crate::plots::{self, STYLES, Style, over_positions};
-use crate::{Compared, Found, Look, Results, Series, coordinate_unit};
+use crate::{Compared, Found, Look, Results, Series};
 
 /// What the signs on the curves are. The zeros of the first derivative mark extremes, those of the second one inflections.
 const SIGNS: [(Sign, &str); 3] =
@@ -43,26 +43,31 @@ pub fn figure(results: &Results, look: &Look<'_>) -> Figure {
 
 fn panel(results: &Results, look: &Look<'_>, orders: [usize; 3], order: usize, ink: Ink) -> Panel {
     let own = &results.series[orders[order]];
-    let other = look.compared.and_then(|compared| Some((compared, in_radians(compared.series(own)?))));
-    let series = &in_radians(own);
+    let drawn = |results: &Results| {
+        let mut same = results.of_cycle().iter().filter(|series| series.short == own.short);
+        same.find(|series| series.unit == own.unit).map(in_radians)
+    };
+    let other = look.compared.and_then(|compared| Some((compared, drawn(&compared.results)?)));
+    let (series, of_cycle) = (&in_radians(own), &in_radians(&results.of_cycle()[orders[order]]));
     let mut value = quantity(series.bare(look.position), series.unit.name);
-    let mut curves = vec![(series, Stroke::Solid, ink)];
+    let mut curves = vec![(of_cycle, Stroke::Solid, ink)];
     if let Some((compared, other)) = &other {
         curves.push((other, stroke_of(compared), Ink::Text));
-        let difference = series.at(look.position) - other.at(look.position);
+        let difference = compared.difference(own, look.position).unwrap_or(f64::NAN) * series.unit.factor
+            / own.unit.factor;
         let difference = quantity(number(difference), series.unit.name);
         value = joined("", [value, name("   1 - 2: "), difference]);
     }
-    let (_, factor) = coordinate_unit(&results.linkage);
+    let base = results.base_of_cycle(look);
     let mut signs = Vec::new();
     for (derivative, (sign, _)) in orders[order..].iter().zip(SIGNS) {
-        for at in results.series[*derivative].course.zeros() {
-            let value = if sign == Sign::Cross { Some(0.0) } else { series.course.between(at) };
-            let sign = |value| Item::sign([factor * at, series.unit.factor * value], sign, Ink::Text);
+        for at in results.of_cycle()[*derivative].course.zeros() {
+            let value = if sign == Sign::Cross { Some(0.0) } else { of_cycle.course.between(at) };
+            let sign = |value| Item::sign([base.factor * at, series.unit.factor * value], sign, Ink::Text);
             signs.extend(value.map(sign));
         }
     }
-    over_positions(&results.linkage, look, [catalogue::kind(series.column), value], &curves, signs)
+    over_positions(base, [catalogue::kind(series.column), value], &curves, signs)
 }
 
 fn stroke_of(compared: &Compared) -> Stroke {
@@ -87,7 +92,7 @@ pub(crate) fn stack(
         }
         curves.extend(same.map(|same| (same, Stroke::Stars, Ink::Third)));
         let heading = [series.of.clone(), series.show(look.position)];
-        over_positions(&results.linkage, look, heading, &curves, Vec::new())
+        over_positions(results.base(look), heading, &curves, Vec::new())
     };
     wanted.iter().map(panel).collect()
 }
@@ -146,7 +151,7 @@ fn without_radians(unit: &str) -> &str {
 
 /// The quantities of one unit but for radians; each has its number in the list of all, and its style.
 fn panel_of_unit(results: &Results, look: &Look<'_>, all: &[&Series], own: &[(usize, Style)]) -> Panel {
-    let (_, coordinate) = coordinate_unit(&results.linkage);
+    let (_, coordinate) = results.axis_unit();
     let (mut curves, mut signs, mut names) = (Vec::new(), Vec::new(), Vec::new());
     let before = |series: &&Series| look.compared?.series(results.named(&series.short)?).map(in_radians);
     let befores: Vec<Option<Series>> = all.iter().map(before).collect();
@@ -179,7 +184,7 @@ fn panel_of_unit(results: &Results, look: &Look<'_>, all: &[&Series], own: &[(us
             [list([joined("  ", names), units].into_iter().filter(|text| !text.is_empty())), Text::default()]
         }
     };
-    let mut panel = over_positions(&results.linkage, look, heading, &curves, signs);
+    let mut panel = over_positions(results.base(look), heading, &curves, signs);
     if let Frame::Axes { y, .. } = &mut panel.frame {
         // The heading says it.
         y.label = Text::default();
@@ -193,7 +198,7 @@ pub fn residuals(results: &Results, look: &Look<'_>) -> Figure {
     let residuals = residuals.filter(|series| matches!(series.column.quantity, Quantity::Residual(_)));
     let panels = residuals.map(|series| {
         let heading = [series.of.clone(), series.show(look.position)];
-        over_positions(&results.linkage, look, heading, &[(series, Stroke::Solid, Ink::First)], Vec::new())
+        over_positions(results.base(look), heading, &[(series, Stroke::Solid, Ink::First)], Vec::new())
     });
     Figure { panels: panels.collect(), columns: 1, ..Figure::default() }
 }

@@ -4,8 +4,8 @@ use assur_figure::{Axis, AxisKind, Cursor, Figure, Frame, Ink, Item, Key, Panel,
 use assur_report::topic::Event;
 use assur_words::{Text, name, text};
 
-use crate::plots::{coordinate_axis, numbered};
-use crate::{Look, Results, coordinate_at, coordinate_unit};
+use crate::plots::numbered;
+use crate::{Look, Results, coordinate_unit};
 
 /// Room above the first band and below the last one, in distances of two bands.
 const MARGIN: f64 = 0.6;
@@ -32,10 +32,10 @@ pub(crate) fn figure(results: &Results, look: &Look<'_>) -> Figure {
             legend.push(Key { sample, text: numbered(event.band - 1, event.what.clone()) });
         }
     }
-    let x = coordinate_axis(&results.linkage);
+    let base = results.base_of_cycle(look);
     let range = [-(last as f64) - MARGIN, MARGIN - 1.0];
     let y = Axis { label: Text::default(), range, kind: AxisKind::Unmarked };
-    let cursor = Some(Cursor::from(coordinate_at(&results.linkage, look.at())));
+    let (x, cursor) = (base.axis, Some(Cursor::from(base.cursor)));
     let title = text!("events-title");
     let panel = Panel { title: Text::default(), frame: Frame::Axes { x, y, cursor }, items };
     Figure { title, legend, ..Figure::of(panel) }

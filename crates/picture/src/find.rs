@@ -82,7 +82,7 @@ impl Look<'_> {
             (Picture::Structure, _) => results.group_names().iter().map(|name| vec![told(name)]).collect(),
             _ => {
                 let schema = match found {
-                    Some(found) => found.analysis.positions.schema(),
+                    Some(found) => found.rows().0.schema(),
                     None => &Schema::new(&results.linkage.mechanism),
                 };
                 let in_files = |series: &Series| catalogue::csv(schema, series.column);

@@ -32,7 +32,9 @@ pub struct Found {
     pub analyzer: String,
     /// The results; their checks are empty until they are done.
     pub analysis: Analysis,
-    /// What lies between and after the positions, through which the curves lead.
+    /// The samples of a transient motion, which are shown in place of the positions; `None` of another motion.
+    pub samples: Option<Table>,
+    /// What lies between and after the positions or samples, through which the curves lead.
     pub edges: Edges,
     /// What is asked for first, each with what it is about; without the checks until they are done.
     pub results: Vec<(About, Fact)>,
@@ -74,9 +76,14 @@ impl Found {
         let whole =
             if calculation.plan.all { None } else { calculation.whole(Arc::clone(&linkage), options).ok() };
         let plans = Planner::new(Arc::new(whole.unwrap_or(calculation)));
-        let table = &analysis.positions;
+        let over_time = plans.calculation().over_time().filter(|(samples, _)| !samples.is_empty());
+        let (samples, edges) = match over_time {
+            Some((samples, edges)) => (Some(samples), edges),
+            None => (None, edges),
+        };
+        let (table, over) = rows(samples.as_ref(), &analysis.positions);
         let mut series = Vec::new();
-        gather(&mut series, table, &edges);
+        gather(&mut series, table, &edges, over);
         mark_rounding(&mut series);
         let reactions = reactions(&series, table);
         let motion = MOTION.iter().filter_map(|of| index(&series, Column::of(*of, Owner::Input))).collect();
@@ -85,6 +92,7 @@ impl Found {
             linkage,
             analyzer,
             analysis,
+            samples,
             edges,
             results,
             events,
@@ -99,20 +107,33 @@ impl Found {
 
     /// What a quantity reaches, between the positions too; `None` where no position has a value.
     pub fn range(&self, series: &Series) -> Option<Range> {
-        let find = || assur_book::range(self.plans.calculation(), &series.course, series.column);
+        // Between the samples of a motion over time nothing is looked for.
+        let find = || match self.samples {
+            Some(_) => Range::of_course(&series.course),
+            None => assur_book::range(self.plans.calculation(), &series.course, series.column),
+        };
         *self.reach.borrow_mut().entry(series.column).or_insert_with(find)
     }
 
     /// A local extreme of a series as it is found between the positions too.
     pub fn extreme(&self, series: &Series, turn: Turn) -> Turn {
+        if self.samples.is_some() {
+            return turn;
+        }
         assur_book::extreme(self.plans.calculation(), &series.course, series.column, turn)
+    }
+
+    /// The rows over which everything is drawn, and the column of their places: positions over the coordinate, or samples over time.
+    pub fn rows(&self) -> (&Table, Column) {
+        rows(self.samples.as_ref(), &self.analysis.positions)
     }
 
     /// Adds the checks, and the residuals as series.
     pub fn take_checks(&mut self, checks: Checks) {
         self.analysis.add_checks(checks);
         self.results.extend(topic::checks_fact(&self.analysis).map(|fact| (About::Checks, fact)));
-        gather(&mut self.series, &self.analysis.positions, &self.edges);
+        let (table, over) = rows(self.samples.as_ref(), &self.analysis.positions);
+        gather(&mut self.series, table, &self.edges, over);
     }
 
     /// The balancing load over the positions.
@@ -135,9 +156,13 @@ pub struct Reaction {
     pub moment: Option<usize>,
 }
 
+fn rows<'a>(samples: Option<&'a Table>, positions: &'a Table) -> (&'a Table, Column) {
+    samples.map_or((positions, Column::COORDINATE), |samples| (samples, Column::TIME))
+}
+
 /// Adds the columns of the positions that are not there yet, in the order of the results: a whole quantity, or both projections of a
 /// vector and its modulus.
-fn gather(series: &mut Vec<Series>, table: &Table, edges: &Edges) {
+fn gather(series: &mut Vec<Series>, table: &Table, edges: &Edges, over: Column) {
     let schema = table.schema();
     let shown = catalogue::reactions(schema);
     for column in schema.columns().iter().filter(|column| column.cause.is_none()) {
@@ -155,7 +180,7 @@ fn gather(series: &mut Vec<Series>, table: &Table, edges: &Edges) {
         let parts: &[Part] =
             if *column == whole { &[Part::Whole] } else { &[Part::X, Part::Y, Part::Modulus] };
         series.extend(parts.iter().filter_map(|part| {
-            let course = Course::of(table, Some(edges), Column::COORDINATE, whole.part(*part));
+            let course = Course::of(table, Some(edges), over, whole.part(*part));
             (!course.is_empty()).then(|| Series::of(schema, whole.part(*part), course, 0.0))
         }));
     }
@@ -198,12 +223,14 @@ fn mark_rounding(series: &mut [Series]) {
         *most = most.max(one.course.size());
     }
     let inertia = index(series, Column::of(Quantity::ReducedInertia, Owner::Input));
-    let inertia = inertia.map_or(0.0, |index| series[index].course.size());
+    let range = inertia.and_then(|index| series[index].course.highest_and_lowest());
+    let is_constant =
+        range.is_some_and(|[[_, most], [_, least]]| most - least <= assur_number::ROUNDING * most);
     for one in series.iter_mut().filter(|one| !catalogue::is_ratio(one.column)) {
         one.floor = one.floor.max(ROUNDING * greatest[one.unit.name]);
-        // J' is a sum of terms of the size of J, which may cancel.
-        if one.column.quantity == Quantity::ReducedInertiaDerivative {
-            one.floor = one.floor.max(assur_number::ROUNDING * inertia);
+        // J' of a J that is constant to its rounding is rounding.
+        if is_constant && one.column.quantity == Quantity::ReducedInertiaDerivative {
+            one.floor = one.floor.max(one.course.size());
         }
     }
 }

@@ -21,7 +21,7 @@ pub fn beside_friction(found: &Found, position: usize, reaction: &Reaction) -> O
     let ((pair, link), reaction) = (reaction.of.as_ref()?, &reaction.name);
     let (pair, link, mechanism) = (pair.id, link.id, &found.linkage.mechanism);
     let friction = mechanism.frictions.iter().find(|friction| friction.pair == pair)?;
-    let table = &found.analysis.positions;
+    let (table, _) = found.rows();
     let row = table.row_of(position)?;
     let value = |quantity, owner| table.get(row, Column::of(quantity, owner));
     let whole = Column::of(Quantity::Force, Owner::PairOn(pair, link));

@@ -37,7 +37,7 @@ pub use found::{Found, Reaction};
 pub use outline::Outline;
 pub use planner::{Planner, Plans};
 pub use probe::{PathFigures, Probe};
-pub use results::{Broken, Compared, Results};
+pub use results::{Base, Broken, Compared, Results};
 pub use series::{Series, Transfer};
 pub use view::Picture;
 

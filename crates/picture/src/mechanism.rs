@@ -151,12 +151,12 @@ fn paths(results: &Results, wanted: impl Fn(usize) -> bool) -> Vec<Item> {
 fn trail(results: &Results, look: &Look<'_>, path: &[[f64; 2]]) -> Vec<[f64; 2]> {
     // The last point of a path is the end of the last step, which of a closed cycle is its first point again.
     let steps = path.len().saturating_sub(1);
-    let positions = (results.positions() - usize::from(!results.is_cycle())).max(1);
-    let now = (look.at() / positions as f64 * steps as f64).floor();
+    let now = (results.part_of_cycle(look) * steps as f64).floor();
+    let closes = results.linkage.mechanism.input.is_cycle() && results.broken.is_empty();
     let now = (0..=steps).rev().find(|at| *at as f64 <= now).unwrap_or(0);
     let back = (0..=steps / TRAIL).rev();
     let points = back.filter_map(|back| match now.checked_sub(back) {
-        None if results.is_cycle() && results.broken.is_empty() => path.get((now + steps - back) % steps),
+        None if closes => path.get((now + steps - back) % steps),
         at => path.get(at?),
     });
     points.copied().collect()

@@ -55,7 +55,7 @@ fn over_time(found: &Found, look: &Look<'_>) -> Vec<Panel> {
         ("motion-speed", speed.name, Quantity::Velocity),
         ("motion-acceleration", acceleration.name, Quantity::Acceleration),
     ];
-    let time = Column::of(Quantity::Time, Owner::Input);
+    let time = Column::TIME;
     let Some(last) = analysis.trajectory.len().checked_sub(1) else { return Vec::new() };
     let row = look.position.min(last);
     let Some(now) = analysis.trajectory.get(row, time) else { return Vec::new() };

@@ -40,7 +40,7 @@ impl Plans {
     }
 }
 
-/// Gives the plans of any position.
+/// Gives the plans of any position, of a transient motion those of any sample.
 #[derive(Debug)]
 pub struct Planner {
     calculation: Arc<Calculation>,
@@ -65,8 +65,13 @@ impl Planner {
         if let Some(plans) = kept.iter().find(|plans| plans.position == position) {
             return Arc::clone(plans);
         }
-        let sheet = self.calculation.sheet(position);
-        let constructions = self.calculation.constructions(position).unwrap_or_default();
+        let (sheet, constructions) = match self.calculation.sample(position).0 {
+            Some(state) => {
+                (self.calculation.sheet_of_sample(&state), self.calculation.constructions_of_sample(&state))
+            }
+            None => (self.calculation.sheet(position), self.calculation.constructions(position)),
+        };
+        let constructions = constructions.unwrap_or_default();
         let plans = Arc::new(Plans { sheet, constructions, position });
         kept.insert(0, Arc::clone(&plans));
         kept.truncate(KEPT);

@@ -7,7 +7,7 @@ use assur_figure::{Axis, AxisKind, Bounds, Cursor, Frame, Ink, Item, Panel, Poin
 use assur_kinematics::Linkage;
 use assur_words::{Text, joined, list, name, number, text, unit};
 
-use crate::{Found, Look, Series, coordinate_at, coordinate_unit};
+use crate::{Base, Found, Series, coordinate_at, coordinate_unit};
 
 /// Positions that are marked on a curve at most; more of them would hide it.
 const MARKED: usize = 24;
@@ -34,15 +34,13 @@ pub(crate) fn coordinate_axis(linkage: &Linkage) -> Axis {
     Axis { kind, ..Axis::around(text!("chart-coordinate", unit = unit(symbol)), ends, 0.0) }
 }
 
-/// The curve of a quantity over the positions, with the cursor at the present one, at which it has a value.
+/// The curve of a quantity over the positions or samples, with the cursor at the present one, at which it has a value.
 pub fn over_positions(
-    linkage: &Linkage,
-    look: &Look<'_>,
+    Base { axis: x, factor: coordinate, cursor: at }: Base,
     [title, value]: [Text; 2],
     curves: &[(&Series, Stroke, Ink)],
     signs: Vec<Item>,
 ) -> Panel {
-    let (_, coordinate) = coordinate_unit(linkage);
     let at_positions = |series: &Series| {
         let place = |node: &Node| [coordinate * node.at, series.unit.factor * node.value];
         series.course.nodes().iter().map(place).collect::<Vec<Point>>()
@@ -56,16 +54,17 @@ pub fn over_positions(
         Item::line(points, *stroke, *ink)
     };
     let mut items: Vec<Item> = curves.iter().map(line).collect();
-    let are_few = linkage.mechanism.input.positions <= MARKED;
-    let marked = curves.first().filter(|_| are_few).map(|(series, ..)| at_positions(series));
+    let are_few = |series: &Series| series.course.nodes().len() <= MARKED;
+    let marked =
+        curves.first().filter(|(series, ..)| are_few(series)).map(|(series, ..)| at_positions(series));
     items.extend(marked.into_iter().flatten().map(|at| Item::sign(at, Sign::Node, Ink::Title)));
     let values: Vec<f64> = items.iter().flat_map(Item::points).map(|at| at[1]).collect();
     let (floor, unit) = curves.first().map_or((0.0, Text::default()), |(series, ..)| {
         (series.unit.factor * series.floor, unit(series.unit.name))
     });
     items.extend(signs);
-    let (x, y) = (coordinate_axis(linkage), Axis::around(unit, values, floor));
-    let cursor = Some(Cursor { at: coordinate_at(linkage, look.at()), value });
+    let y = Axis::around(unit, values, floor);
+    let cursor = Some(Cursor { at, value });
     Panel { title, frame: Frame::Axes { x, y, cursor }, items }
 }
 

@@ -3,7 +3,6 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use assur_analysis::InputMotion;
 use assur_analysis::results::{Column, Owner, Quantity};
 use assur_figure::number::digits;
 use assur_figure::{Bounds, Frame, Ink, Item, Panel, Point, Sign, Stroke};
@@ -32,14 +31,12 @@ struct Reduced {
     /// Reduced moment of inertia, with that of flywheel and rotor.
     inertia: f64,
     has_shaft: bool,
-    /// Whether the speed belongs to instants and not to the positions, so that the moment is that at rest.
-    at_rest: bool,
 }
 
 impl Reduced {
     /// Of a mechanism whose input link turns, where its reduction is calculated.
     fn of(results: &Results, look: &Look<'_>, found: &Found) -> Option<Self> {
-        let table = &found.analysis.positions;
+        let (table, _) = found.rows();
         let (point, row) =
             (ReductionPoint::farthest(&results.linkage.mechanism)?, table.row_of(look.position)?);
         let InputPair::Pin(pin) = results.linkage.mechanism.input.pair else { return None };
@@ -59,7 +56,6 @@ impl Reduced {
             most: table.each(moments).flatten().fold(0.0_f64, |most, moment| most.max(moment.abs())),
             inertia: table.at(row, of(Quantity::ReducedInertia)?)? + shaft,
             has_shaft: shaft > 0.0,
-            at_rest: matches!(found.plans.calculation().motion, InputMotion::Transient(_)),
         })
     }
 
@@ -67,11 +63,7 @@ impl Reduced {
         let corner = |side: f64| self.pin.map(|at| at + side * ROOM * self.radius);
         let bounds = Bounds { low: corner(-1.0), high: corner(1.0) };
         let frame = Frame::Plane { bounds, unit: "m".into(), factor: 1.0, scale: ("l", "m".into()) };
-        let title = match (self.at_rest, self.has_shaft) {
-            (true, _) => text!("reduction-at-rest", told = title),
-            (_, true) => text!("reduction-with-flywheel", told = title),
-            _ => title,
-        };
+        let title = if self.has_shaft { text!("reduction-with-flywheel", told = title) } else { title };
         Panel { title, frame, items }
     }
 

@@ -1,19 +1,22 @@
 //! What was calculated of a scene: its positions, the data for drawings and tables, and the results of the analysis.
 
 use std::cell::RefCell;
+use std::cmp::Ordering;
 use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
 
 use assur_analysis::results::{Column, Edges, Owner, Quantity, Schema, Table};
 use assur_analysis::{AnalysisError, Calculation, Options, plan, unwatched};
 use assur_book::{Course, Node, catalogue};
+use assur_figure::Axis;
 use assur_figure::number::plain;
 use assur_group::{GroupError, Order};
 use assur_kinematics::{Linkage, Modes, Position, PositionError};
 use assur_mechanism::{GROUND, PointId};
 use assur_words::{Describe, Text, millimeters, number, quantity, text};
 
-use crate::{Found, Outline, Series, Transfer, coordinate_at, coordinate_unit};
+use crate::plots::coordinate_axis;
+use crate::{Found, Look, Outline, Series, Transfer, coordinate_unit};
 
 /// What was calculated of a scene.
 #[derive(Debug)]
@@ -28,6 +31,8 @@ pub struct Results {
     pub series: Vec<Series>,
     /// The quantities with two derivatives.
     pub transfers: Vec<Transfer>,
+    /// Of a transient motion, whose series are those of its samples, the series of the positions.
+    cycle: Option<Vec<Series>>,
     /// The results of the analysis; `None` while it runs, or if there are none.
     pub found: Option<Box<Found>>,
     /// The results by another force analyzer, for the difference.
@@ -36,6 +41,17 @@ pub struct Results {
     least_health: Vec<Option<(f64, usize)>>,
     /// Modes by group and position, kept because a view is drawn many times.
     modes: RefCell<HashMap<[usize; 2], Option<Arc<Modes>>>>,
+}
+
+/// A horizontal axis on which curves stand.
+#[derive(Debug, Clone)]
+pub struct Base {
+    /// The axis.
+    pub axis: Axis,
+    /// From SI to its unit.
+    pub factor: f64,
+    /// The present place on it.
+    pub cursor: f64,
 }
 
 /// A coordinate within this fraction of a step from a position counts as that position.
@@ -56,25 +72,107 @@ impl Results {
     /// Calculates the positions of a linkage.
     pub fn of(linkage: Arc<Linkage>) -> Result<Self, AnalysisError> {
         let (table, edges) = positions(&linkage)?;
-        let (series, transfers) = series(&linkage, &table, &edges);
+        let (series, transfers) = series(&linkage, &table, &edges, Column::COORDINATE);
         let missing = (0..linkage.mechanism.input.positions).filter(|index| table.row_of(*index).is_none());
         let broken: BTreeMap<_, _> =
             missing.filter_map(|index| Some((index, broken(&linkage, index)?))).collect();
         let outline = Outline::of(&linkage, broken.values().map(|broken| &broken.pose));
         let least_health =
             (0..linkage.structure.groups.len()).map(|group| least_health(&table, group)).collect();
-        let (found, other, modes) = (None, None, RefCell::default());
-        Ok(Self { linkage, broken, outline, series, transfers, found, other, least_health, modes })
+        let (found, other, modes, cycle) = (None, None, RefCell::default(), None);
+        Ok(Self { linkage, broken, outline, series, transfers, cycle, found, other, least_health, modes })
     }
 
-    /// Number of positions.
+    /// Takes the results of the analysis. Of a transient motion its samples are shown in place of the positions.
+    pub fn take(&mut self, found: Box<Found>) {
+        if let Some(samples) = &found.samples {
+            let (series, transfers) = series(&self.linkage, samples, &found.edges, Column::TIME);
+            let before = std::mem::replace(&mut self.series, series);
+            self.cycle.get_or_insert(before);
+            self.transfers = transfers;
+            self.broken.clear();
+            self.least_health.clear();
+        }
+        self.found = Some(found);
+    }
+
+    /// The coordinate and the transfer functions over the positions, where the samples of a motion over time are shown too.
+    pub fn of_cycle(&self) -> &[Series] {
+        self.cycle.as_ref().unwrap_or(&self.series)
+    }
+
+    /// The samples of a transient motion, which are shown in place of the positions.
+    pub fn samples(&self) -> Option<&Table> {
+        self.found.as_ref()?.samples.as_ref()
+    }
+
+    /// Number of positions, or of samples.
     pub fn positions(&self) -> usize {
-        self.linkage.mechanism.input.positions
+        self.samples().map_or(self.linkage.mechanism.input.positions, Table::len)
+    }
+
+    /// The coordinate (rad or m) of a position or sample.
+    pub fn coordinate(&self, index: usize) -> f64 {
+        match self.samples() {
+            Some(_) => self.series[0].course.get(index).unwrap_or(f64::NAN),
+            None => self.linkage.mechanism.input.coordinate(index),
+        }
+    }
+
+    /// The place (rad, m, or s) of a position or sample on horizontal axes, with a fraction between two of them.
+    fn place_at(&self, at: f64) -> f64 {
+        let whole = (at.max(0.0) as usize).min(self.positions().saturating_sub(1));
+        let place = |index: usize| match self.samples() {
+            Some(samples) => samples.get(index, Column::TIME).unwrap_or(f64::NAN),
+            None => self.linkage.mechanism.input.coordinate(index),
+        };
+        let (from, part) = (place(whole), at - whole as f64);
+        if part > 0.0 { from + part * (place(whole + 1) - from) } else { from }
+    }
+
+    /// The unit of horizontal axes, and its factor from SI.
+    pub fn axis_unit(&self) -> (&'static str, f64) {
+        if self.samples().is_some() { ("s", 1.0) } else { coordinate_unit(&self.linkage) }
+    }
+
+    /// The horizontal axis of curves over the positions, or over the time of the samples.
+    pub fn base(&self, look: &Look<'_>) -> Base {
+        let (_, factor) = self.axis_unit();
+        let axis = || {
+            let ends = [0, self.positions() - 1].map(|index| self.place_at(index as f64));
+            Axis::around(text!("motion-time"), ends, 0.0)
+        };
+        let axis = if self.samples().is_some() { axis() } else { coordinate_axis(&self.linkage) };
+        Base { axis, factor, cursor: self.on_axis(look.at()) }
+    }
+
+    /// The horizontal axis of curves over the positions, with the cursor at the place of a sample in the cycle.
+    pub(crate) fn base_of_cycle(&self, look: &Look<'_>) -> Base {
+        if self.samples().is_none() {
+            return self.base(look);
+        }
+        let (input, factor) = (&self.linkage.mechanism.input, coordinate_unit(&self.linkage).1);
+        let cursor = match input.period() {
+            Some(period) => input.from + input.sign() * period * self.part_of_cycle(look),
+            None => self.coordinate(look.position),
+        };
+        Base { axis: coordinate_axis(&self.linkage), factor, cursor: factor * cursor }
+    }
+
+    /// The part of the cycle that has passed, from 0 to 1.
+    pub(crate) fn part_of_cycle(&self, look: &Look<'_>) -> f64 {
+        let input = &self.linkage.mechanism.input;
+        match (self.samples(), input.period()) {
+            (Some(_), Some(period)) => {
+                (input.sign() * (self.coordinate(look.position) - input.from) / period).rem_euclid(1.0)
+            }
+            _ => look.at() / (self.positions() - usize::from(!self.is_cycle())).max(1) as f64,
+        }
     }
 
     /// Whether the positions are those of a cycle, whose end is no position of its own.
     pub fn is_cycle(&self) -> bool {
-        self.linkage.mechanism.input.is_cycle()
+        self.samples().is_none() && self.linkage.mechanism.input.is_cycle()
     }
 
     /// The positions that can be assembled.
@@ -101,9 +199,8 @@ impl Results {
 
     /// The mechanism in a position, or on a part of the way to the next one; `None` where there is no assembly.
     pub fn pose(&self, index: usize, part: f64) -> Option<Position> {
-        let [from, to] = [index, index + 1].map(|index| self.linkage.mechanism.input.coordinate(index));
-        let (mut pose, at) =
-            (self.linkage.position(), if part > 0.0 { from + part * (to - from) } else { from });
+        let (mut pose, from) = (self.linkage.position(), self.coordinate(index));
+        let at = if part > 0.0 { from + part * (self.coordinate(index + 1) - from) } else { from };
         self.linkage.solve(at, Order::Second, &mut pose).ok().map(|()| pose)
     }
 
@@ -150,26 +247,34 @@ impl Results {
         self.columns().count()
     }
 
-    /// The coordinate at a number of a position, also between two or after the last one, in the unit that is shown.
-    pub fn coordinate_at(&self, at: f64) -> f64 {
-        coordinate_at(&self.linkage, at)
+    /// The place of a position or sample on horizontal axes, with a fraction between two of them, in the unit that is shown.
+    pub fn on_axis(&self, at: f64) -> f64 {
+        self.axis_unit().1 * self.place_at(at)
     }
 
-    /// The position nearest to a coordinate, rad or m.
+    /// The position nearest to a coordinate (rad or m), or the sample nearest to a time (s).
     pub fn nearest(&self, at: f64) -> usize {
-        let input = &self.linkage.mechanism.input;
         let end = self.positions() - usize::from(!self.is_cycle());
-        let distance = |number: &usize| (input.coordinate(*number) - at).abs();
+        let distance = |number: &usize| (self.place_at(*number as f64) - at).abs();
         let near = (0..=end).min_by(|one, other| distance(one).total_cmp(&distance(other)));
         // The end of a cycle is its first position again.
         near.unwrap_or(0) % self.positions()
     }
 
-    /// The positions between which a coordinate, rad or m, lies, twice the same one where it lies in it; `closes`: whether the end of
+    /// The positions or samples between which a coordinate (rad or m) or a time (s) lies, twice the same one where it lies in it; `closes`: whether the end of
     /// the cycle is its first position.
     pub fn among(&self, at: f64, closes: bool) -> [usize; 2] {
-        let (input, count) = (&self.linkage.mechanism.input, self.positions());
-        let [first, next] = [0, 1].map(|index| input.coordinate(index));
+        let count = self.positions();
+        if self.samples().is_some() {
+            let near = self.nearest(at);
+            let beside = match self.place_at(near as f64).total_cmp(&at) {
+                Ordering::Less => near + 1,
+                Ordering::Equal => near,
+                Ordering::Greater => near.saturating_sub(1),
+            };
+            return [near.min(beside), near.max(beside).min(count - 1)];
+        }
+        let [first, next] = [0, 1].map(|index| self.coordinate(index));
         let part = (at - first) / (next - first);
         let is_end = !closes && part > count as f64 - 0.5;
         if !is_end && (part - part.round()).abs() <= AT_POSITION {
@@ -179,11 +284,21 @@ impl Results {
         [before, (before + 1) % count]
     }
 
-    /// `position 6, 45 deg`.
+    /// `position 6, 45 deg`, `instant 6, 1.2 s, 45 deg`.
     pub fn place(&self, position: usize) -> Text {
         let series = &self.series[0];
-        let at = quantity(plain(series.at(position)), series.unit.name);
-        text!("position-at", position = number(position), at = at)
+        let (at, position_number) =
+            (quantity(plain(series.at(position)), series.unit.name), number(position));
+        match self.time(position) {
+            Some(time) => text!("instant-at", instant = position_number, time = time, at = at),
+            None => text!("position-at", position = position_number, at = at),
+        }
+    }
+
+    /// The time of a sample from the start of its motion; `None` for positions.
+    pub fn time(&self, sample: usize) -> Option<Text> {
+        let time = self.samples()?.get(sample, Column::TIME)?;
+        Some(quantity(plain(time), "s"))
     }
 
     /// The series of a short name.
@@ -201,16 +316,20 @@ impl Results {
 const ROUNDING: f64 = 1e-13;
 
 /// All series, and which of them belong together.
-fn series(linkage: &Linkage, table: &Table, edges: &Edges) -> (Vec<Series>, Vec<Transfer>) {
+fn series(linkage: &Linkage, table: &Table, edges: &Edges, over: Column) -> (Vec<Series>, Vec<Transfer>) {
     let (mechanism, schema) = (&linkage.mechanism, Schema::new(&linkage.mechanism));
-    let node = |number| {
-        let at = mechanism.input.coordinate(number);
-        Node { number, at, value: at }
+    let course = if over == Column::COORDINATE {
+        let node = |number| {
+            let at = mechanism.input.coordinate(number);
+            Node { number, at, value: at }
+        };
+        // Positions that can't be assembled have a coordinate too.
+        let count = mechanism.input.positions;
+        let end = (!edges.ending.is_empty()).then(|| node(count));
+        Course::from_nodes((0..count).map(node), end)
+    } else {
+        Course::of(table, Some(edges), over, Column::COORDINATE)
     };
-    // Positions that can't be assembled have a coordinate too.
-    let count = mechanism.input.positions;
-    let end = (!edges.ending.is_empty()).then(|| node(count));
-    let course = Course::from_nodes((0..count).map(node), end);
     let mut series = vec![Series::of(&schema, Column::COORDINATE, course, 0.0)];
     let mut transfers = Vec::new();
     let moves = |id: &PointId| mechanism.points[*id].places.iter().all(|place| place.link != GROUND);
@@ -224,7 +343,7 @@ fn series(linkage: &Linkage, table: &Table, edges: &Edges) -> (Vec<Series>, Vec<
         let first = series.len();
         series.extend((0..=2).map(|order| {
             let column = Column { quantity: Quantity::Transfer(order), ..place };
-            let course = Course::of(table, Some(edges), Column::COORDINATE, column);
+            let course = Course::of(table, Some(edges), over, column);
             Series::of(&schema, column, course, ROUNDING * size)
         }));
         let name = catalogue::subject(&schema, place);
@@ -307,8 +426,16 @@ impl Compared {
         self.results.named(&own.short).filter(|other| other.unit == own.unit)
     }
 
-    /// Own value minus that of the second scene; NaN if one of them has none.
+    /// Own value at a position less that of the second scene, at a sample that at the same time; NaN if one of them has none.
     pub fn difference(&self, own: &Series, position: usize) -> Option<f64> {
-        Some(own.at(position) - self.series(own)?.at(position))
+        let theirs = self.series(own)?;
+        let other = match self.results.samples() {
+            Some(_) => {
+                let node = own.course.nodes().iter().find(|node| node.number == position);
+                node.and_then(|node| theirs.course.between(node.at))
+            }
+            None => theirs.course.get(position),
+        };
+        Some(own.at(position) - theirs.unit.factor * other.unwrap_or(f64::NAN))
     }
 }

@@ -2,7 +2,6 @@
 
 use assur_analysis::results::{Column, Owner, Quantity};
 use assur_figure::Figure;
-use assur_mechanism::Motion;
 use assur_words::{Text, joined, text};
 use strum::{EnumString, IntoStaticStr, VariantNames};
 
@@ -62,7 +61,7 @@ impl Picture {
             (Self::Structure, ViewPart::Events) => found.is_some_and(|found| !found.events.is_empty()),
             (Self::Motion, ViewPart::Reduction) => found.is_some_and(|found| {
                 let moment = Column::of(Quantity::ReducedMoment, Owner::Input);
-                results.linkage.angular() && found.analysis.positions.schema().find(moment).is_some()
+                results.linkage.angular() && found.rows().0.schema().find(moment).is_some()
             }),
             _ => true,
         };
@@ -94,12 +93,10 @@ impl Picture {
     /// something can be.
     pub fn missing(self, results: &Results, look: &Look<'_>, part: ViewPart) -> (Text, bool) {
         let Some(found) = &results.found else { return (text!("nothing-here"), false) };
-        let is_transient = matches!(results.linkage.mechanism.motion, Some(Motion::Transient { .. }));
         let has_loads = found.plans.calculation().plan.forces;
         let not_determined = || text!("forces-not-determined");
         let why = match (self, &found.analysis.no_motion) {
             (Self::Motion | Self::Drive, Some(reason)) => motion::not_found(reason, "\n"),
-            (Self::Forces | Self::Plans, None) if is_transient => text!("forces-over-time"),
             (Self::Forces | Self::Plans, Some(reason)) => {
                 joined("\n", [text!("no-forces-found"), reason.clone()])
             }

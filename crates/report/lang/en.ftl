@@ -402,7 +402,6 @@ plan-causes = Reactions by cause; the shares sum to the whole up to { $residual 
 plan-balancing = balancing
 
 # The explanatory note.
-note-place = position { $position }, { $at }
 
 # Words for keys of the drive and of events.
 drive-excess-work = excess work

@@ -3,7 +3,7 @@
 use assur_analysis::{Options, method_of_motion, methods, plan};
 use assur_note::working;
 use assur_words::{Describe, number, text};
-use assur_working::{PositionOrSample, WorkingError};
+use assur_working::WorkingError;
 
 use super::args::ExplainArgs;
 use super::fault::{Fault, Status};
@@ -57,16 +57,12 @@ fn working(session: &Session, options: &Options, index: usize, style: Style) -> 
     let study = scene::calculation(session, options, style)?;
     let verdict = Verdict::of_motion(&study, session);
     verdict.tell(style);
-    let worked = match study.sample(index) {
-        (Some(state), _) => working::of(&study, PositionOrSample::Sample(index), state, true),
-        (None, 0) => working::of_position(&study, index),
-        (None, count) => {
-            let [sample, last] = [index, count - 1].map(number);
-            let problem = text!("cli-no-sample", sample, last);
-            return Err(Fault::Scene(session.in_file(problem)));
-        }
-    };
-    match worked {
+    if let (None, count @ 1..) = study.sample(index) {
+        let [sample, last] = [index, count - 1].map(number);
+        let problem = text!("cli-no-sample", sample, last);
+        return Err(Fault::Scene(session.in_file(problem)));
+    }
+    match working::of_position(&study, index) {
         Ok(working) => {
             output::print(&style.text(&working.text(style.language)))?;
             Ok(verdict.status())

@@ -116,16 +116,10 @@ impl Of {
         let wanted = &found.plan.wanted;
         match self {
             Self::Nothing => {}
-            Self::Positions => positions(found, to),
+            Self::Positions => positions(found, found.positions_move(), found.positions_have_forces(), to),
             Self::Transient => {
                 motion::time(to);
-                motion::coordinate(to);
-                motion::speeds(to);
-                motion::links(wanted, to);
-                motion::places(wanted, to);
-                motion::slides(wanted, to);
-                motion::rates(wanted, to);
-                forces(found, to);
+                positions(found, true, true, to);
                 friction::holding(to);
             }
             Self::Steady => {
@@ -171,29 +165,30 @@ impl Rows<'_> {
     }
 }
 
-fn positions(found: &Calculation, to: &mut impl Sink) {
+/// The columns of places, with rates if these move, and with loads and reactions if they have forces.
+fn positions(found: &Calculation, moves: bool, has_forces: bool, to: &mut impl Sink) {
     let wanted = &found.plan.wanted;
     motion::coordinate(to);
-    if found.positions_move() {
+    if moves {
         motion::speeds(to);
     }
     motion::links(wanted, to);
     motion::points(wanted, to);
     motion::slides(wanted, to);
-    if found.positions_move() && found.plan.velocities {
+    if moves && found.plan.velocities {
         motion::rates(wanted, to);
     }
     if found.plan.reduction && found.loads.is_some() {
         loads::reduced(found, to);
     }
-    if found.positions_have_forces() && found.knows_all_loads() {
+    if has_forces && found.knows_all_loads() {
         loads::loads(found, to);
     }
-    let accelerates = found.plan.order == Order::Second && found.positions_move();
+    let accelerates = found.plan.order == Order::Second && moves;
     if accelerates && !found.plan.is_partial() && found.knows_all_loads() {
         loads::inertia_loads(found, to);
     }
-    if found.positions_have_forces() {
+    if has_forces {
         forces(found, to);
         if found.has_forces() && found.has_friction() {
             friction::efficiencies(found, to);

@@ -9,7 +9,7 @@ use crate::plan::Wanted;
 use crate::results::{Column, Owner, Quantity};
 
 pub(super) fn time(to: &mut impl Sink) {
-    to.always([Column::of(Quantity::Time, Owner::Input)], |rows| [rows.state(|state| state.time)]);
+    to.always([Column::TIME], |rows| [rows.state(|state| state.time)]);
 }
 
 pub(super) fn coordinate(to: &mut impl Sink) {
@@ -30,13 +30,6 @@ pub(super) fn links(wanted: &Wanted, to: &mut impl Sink) {
             let body = &rows.position.bodies[link];
             [rows.angle(link), body.w1, body.w2]
         });
-    }
-}
-
-/// Where the points are.
-pub(super) fn places(wanted: &Wanted, to: &mut impl Sink) {
-    for (id, at) in &wanted.points {
-        to.always(Column::vector(Quantity::Transfer(0), Owner::Point(*id)), |rows| rows.point(at).pf0);
     }
 }
 

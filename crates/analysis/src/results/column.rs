@@ -136,6 +136,8 @@ impl Column {
 
     /// The coordinate of the input, rad or m.
     pub const COORDINATE: Self = Self::of(Quantity::Transfer(0), Owner::Input);
+    /// Time from the start of the motion, s.
+    pub const TIME: Self = Self::of(Quantity::Time, Owner::Input);
     /// The balancing moment (N m) or force (N).
     pub const BALANCING: Self = Self::of(Quantity::Balancing, Owner::Input);
 

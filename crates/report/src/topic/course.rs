@@ -189,7 +189,7 @@ fn greatest(source: &Source<'_>, page: &mut Document) {
     if !has_reactions(all) {
         return;
     }
-    let times = each(all, Values::of(Quantity::Time, Owner::Input));
+    let times = each(all, Values::TIME);
     let greatest = |(pair, link)| {
         let sizes = each(all, force(pair, link).part(Part::Modulus)).into_iter().enumerate();
         let found: Statistic = sizes.filter_map(|(row, size)| Some((row, size?))).collect();

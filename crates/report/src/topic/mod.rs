@@ -93,12 +93,6 @@ impl<'a> Source<'a> {
         column(&self.positions, head, values)
     }
 
-    /// `position 6, 45 deg`.
-    pub fn place(&self, position: usize) -> Text {
-        let at = self.coordinate().show(self.mechanism.input.coordinate(position));
-        text!("note-place", position = assur_words::number(position), at)
-    }
-
     /// The owners of a quantity that are shown.
     fn owners(&self, quantity: Quantity, wanted: impl Fn(&Owner) -> bool) -> Vec<Owner> {
         self.positions.schema().owners(quantity).into_iter().filter(wanted).collect()

@@ -112,7 +112,13 @@ fn take_outcome(state: &mut State, index: usize, outcome: Outcome) {
         (Outcome::Count(count), _) => state.running[index].count = count,
         (Outcome::Found(found), Some(scene)) if purpose == Purpose::Difference => scene.other = Some(found),
         (Outcome::Found(found), Some(scene)) => {
-            (scene.results.found, scene.fault) = (Some(found), None);
+            let before = scene.positions();
+            scene.results.take(found);
+            scene.fault = None;
+            if scene.positions() != before {
+                // The samples of a transient motion are shown now.
+                (state.position, state.phase) = (0, 0);
+            }
             scene.judge();
         }
         (Outcome::Checks(checks), Some(scene)) => {

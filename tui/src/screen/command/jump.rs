@@ -6,7 +6,7 @@ use assur_words::{Text, number, quantity, text};
 
 use super::whatif;
 use crate::number::{digits, number as plain};
-use crate::screen::state::{Role, State, View, coordinate_unit};
+use crate::screen::state::{Role, Scene, State, View};
 
 /// Goes to where a result that is asked for first occurs, in its view.
 pub(super) fn result(state: &mut State) {
@@ -14,7 +14,9 @@ pub(super) fn result(state: &mut State) {
     else {
         return;
     };
-    if let Some(at) = fact.at.first() {
+    // What is told of a motion over time may be told by its coordinate.
+    let is_on_axis = |scene: &&Scene| scene.samples().is_none() || fact.at_unit.name == "s";
+    if let Some(at) = fact.at.first().filter(|_| state.scene.as_ref().filter(is_on_axis).is_some()) {
         let near = state.scene.as_ref().map_or(0, |scene| scene.nearest(*at));
         state.go_to(near);
     }
@@ -100,10 +102,10 @@ pub(super) fn next_extreme(state: &mut State) {
     let Some((series, scene)) = state.main_series().zip(state.scene.as_ref()) else {
         return state.say(Role::Plain, text!("say-no-extreme"));
     };
-    let input = &scene.linkage.mechanism.input;
-    let sense = (input.coordinate(1) - input.coordinate(0)).signum();
+    let place = |position: usize| scene.on_axis(position as f64) / scene.axis_unit().1;
+    let sense = (place(1) - place(0)).signum();
     let shown = state.extreme.filter(|shown| (shown.0, shown.1) == (series.column, state.position));
-    let from = shown.map_or_else(|| input.coordinate(state.position), |(_, _, at)| at);
+    let from = shown.map_or_else(|| place(state.position), |(_, _, at)| at);
     let turns = series.course.turns();
     let next = turns.iter().find(|turn| sense * (turn.at - from) > 0.0).or(turns.first()).copied();
     let refined = |turn| scene.found.as_ref().map_or(turn, |found| found.extreme(series, turn));
@@ -118,7 +120,7 @@ fn to_extreme(state: &mut State, told: &'static str, turns: Option<(Turn, Turn)>
         return state.say(Role::Plain, text!("say-no-extreme"));
     };
     let near = scene.nearest(turn.at);
-    let (own, factor) = coordinate_unit(&scene.linkage);
+    let (own, factor) = scene.axis_unit();
     let at = || quantity(digits(factor * found.at, 6), own);
     let (value, place) = if found.value.is_finite() {
         // The end of a cycle is its first position only where the course closes there.

@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
 use assur_analysis::DRAWN;
-use assur_analysis::results::{Column, Quantity};
+use assur_analysis::results::{Column, Owner, Quantity};
+use assur_book::Course;
 use assur_figure::{AxisKind, Figure, Frame, Item};
 use assur_fixtures::SCENES;
 use serde_json::Value;
@@ -293,9 +294,11 @@ fn energies_of_a_cycle_end_with_the_works_of_the_cycle() {
 fn what_is_not_periodic_does_not_close() {
     let state = opened("run-up");
     let found = state.found().unwrap();
-    let moment = found.series.iter().find(|series| series.short == "Q").unwrap();
-    assert_eq!(moment.course.closes(), Some(false));
-    let end = *moment.course.points([1.0; 2]).last().unwrap();
+    let (table, moment) = (&found.analysis.positions, Column::of(Quantity::ReducedMoment, Owner::Input));
+    let edges = found.plans.calculation().edges(table);
+    let moment = Course::of(table, Some(&edges), Column::COORDINATE, moment);
+    assert_eq!(moment.closes(), Some(false));
+    let end = *moment.points([1.0; 2]).last().unwrap();
     assert!((end[0] - TAU).abs() < 1e-12 && (end[1] - 14.0).abs() < 1e-12, "{end:?}");
 }
 
@@ -392,4 +395,34 @@ fn an_angle_and_its_derivatives_have_one_unit() {
         });
         assert_eq!(units, ["rad", "rad/rad", "rad/rad²"], "{frame}");
     }
+}
+
+/// D 3.22, case 1: the brake holds 0.8 N m against the motion at every instant until the disc rests.
+#[test]
+fn a_motion_over_time_is_shown_at_its_instants() {
+    let mut state = opened("brake");
+    assert_eq!((state.positions(), state.position), (101, 0));
+    let shown = |state: &State, keys: &str| {
+        let mut state = opened("brake");
+        state.position = 20;
+        press(&mut state, keys);
+        text(&state, 80, 24)
+    };
+    state.position = 20;
+    // After 10 s of 50 s: 100 - 2 t rad/s, and 100 t - t^2 = 900 rad.
+    let header = shown(&state, "1");
+    let degrees = crate::number::digits(900_f64.to_degrees(), 6);
+    for part in ["instant 20 of 101", "10 s", &degrees, "speed 80.0000 rad/s"] {
+        assert!(header.contains(part), "{part}: {header}");
+    }
+    let found = state.found().unwrap();
+    let of = |short: &str| found.series.iter().find(|series| series.short == short).unwrap();
+    for sample in 0..100 {
+        let time = sample as f64 / 2.0;
+        assert!((of("Q").course.get(sample).unwrap() + 0.8).abs() < 1e-9, "{sample}");
+        let place = state.scene.as_ref().unwrap().coordinate(sample);
+        assert!((place - (100.0 * time - time * time)).abs() < 1e-6, "{sample}: {place}");
+    }
+    assert!(shown(&state, "5 Tab Tab").contains("-0.8"), "{}", shown(&state, "5 Tab Tab"));
+    assert!(shown(&state, "W").contains("working of sample 20"), "{}", shown(&state, "W"));
 }

@@ -153,12 +153,3 @@ fn plans_of_velocities_need_no_loads() {
     let frame = text(&state, 80, 24);
     assert!(frame.contains("a(A)") && frame.contains("0.4  m/s²"), "{frame}");
 }
-
-#[test]
-fn a_motion_over_time_says_where_its_forces_are() {
-    let mut state = opened("run-up");
-    for key in ["3", "4"] {
-        press(&mut state, key);
-        assert!(text(&state, 80, 24).contains("belong to its instants"), "{key}");
-    }
-}

@@ -11,7 +11,7 @@ use ratatui::layout::{Constraint, Layout, Rect};
 use super::page;
 use crate::number::trimmed;
 use crate::screen::draw::{Pen, cut, short};
-use crate::screen::state::{Role, Scene, Series, State, coordinate_unit};
+use crate::screen::state::{Role, Scene, Series, State};
 
 pub(super) fn draw(pen: &mut Pen<'_>, scene: &Scene, area: Rect) {
     let state = pen.state;
@@ -38,12 +38,16 @@ fn parts(area: Rect) -> [Rect; 2] {
 /// The position under a cell of the screen.
 pub(crate) fn position_at(state: &State, area: Rect, [column, row]: [u16; 2]) -> Option<usize> {
     let scene = state.scene.as_ref()?;
+    if state.picked.is_empty() && scene.samples().is_some() {
+        // The curves are those of a cycle, in which a place belongs to many samples.
+        return None;
+    }
     let charts =
         if state.picked.is_empty() { parts(area)[1] } else { parts_of_picked(state, scene, area)[1] };
     let cell = [column.checked_sub(charts.x)?, row.checked_sub(charts.y)?];
     let size = [charts.width, charts.height];
     let value = assur_figure::cells::value_at(&figure(scene, &state.pictured()), size, cell)?;
-    let distance = |position: &usize| (scene.coordinate_at(*position as f64) - value).abs();
+    let distance = |position: &usize| (scene.on_axis(*position as f64) - value).abs();
     (0..scene.positions()).min_by(|one, other| distance(one).total_cmp(&distance(other)))
 }
 
@@ -52,7 +56,7 @@ const PLACE: usize = 5;
 
 /// Extremes with their coordinates, and means: between the positions too, as the first results have them.
 fn extremes(state: &State, scene: &Scene, width: u16) -> Vec<Line> {
-    let (symbol, factor) = coordinate_unit(&scene.linkage);
+    let (symbol, factor) = scene.axis_unit();
     let shown = |series: &Series, value: f64| {
         let value = series.unit.factor * value;
         if value.abs() <= series.least() { 0.0 } else { value }

@@ -62,10 +62,13 @@ fn changed(state: &State, room: usize) -> Option<String> {
 /// `position 12 of 48  90.0000 deg`.
 fn position(state: &State, scene: &Scene) -> String {
     let (unit, factor) = coordinate_unit(&scene.linkage);
-    let coordinate = digits(factor * scene.linkage.mechanism.input.coordinate(state.position), 6);
+    let coordinate = digits(factor * scene.coordinate(state.position), 6);
     let playing = if state.playing { " >" } else { "" };
     let [position, count] = [state.position, scene.positions()].map(number);
-    let position = state.told(text!("header-position", number = position, count = count));
+    let position = state.told(match scene.time(state.position) {
+        Some(time) => text!("header-instant", number = position, count = count, time),
+        None => text!("header-position", number = position, count = count),
+    });
     format!("{position}  {}{playing}", state.told(quantity(coordinate, unit)))
 }
 

@@ -72,5 +72,5 @@ fn curve(pen: &mut Pen<'_>, choice: &Choice, area: Rect) {
 pub(crate) fn figure(state: &State, scene: &Scene, series: &Series) -> Figure {
     let (curves, heading) =
         ([(series, Stroke::Solid, Ink::First)], [Text::default(), series.show(state.position)]);
-    Figure::of(plots::over_positions(&scene.linkage, &state.pictured(), heading, &curves, Vec::new()))
+    Figure::of(plots::over_positions(scene.base(&state.pictured()), heading, &curves, Vec::new()))
 }
