@@ -12,6 +12,7 @@ use ratatui::layout::Rect;
 use textwrap::Options;
 
 use crate::screen::state::{Role, State, Zoom};
+use crate::screen::view::LEAST;
 
 /// Rows of the header of the screen.
 const HEADER: u16 = 2;
@@ -72,6 +73,8 @@ impl Pen<'_> {
         lines: impl IntoIterator<Item = &'l (Role, String)>,
     ) {
         for (row, (role, line)) in lines.into_iter().enumerate() {
+            let is_small = self.buffer.area.width < LEAST.0 || self.buffer.area.height < LEAST.1;
+            debug_assert!(is_small || row < usize::from(area.height), "a line is lost: {line}");
             self.put(area, column, short(row), line, *role);
         }
     }

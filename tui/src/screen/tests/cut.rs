@@ -26,20 +26,23 @@ fn each_frame(mut check: impl FnMut(&str, &State)) {
 }
 
 /// The lines of a frame in which a text is cut, and whether it ends with a number or a sign.
-fn cut_lines(state: &State) -> Vec<(bool, String)> {
-    let frame = text(state, 80, 24);
+fn cut_lines(state: &State, [width, height]: [u16; 2]) -> Vec<(bool, String)> {
+    let frame = text(state, width, height);
     let cut = frame.lines().flat_map(|line| line.match_indices('…').map(move |(at, _)| (at, line)));
     let is_bad = |text: &str| !text.ends_with(|last: char| last.is_alphabetic() || last == ')');
     cut.map(|(at, line)| (is_bad(&line[..at]), line.to_owned())).collect()
 }
 
 #[test]
-fn no_number_is_cut_at_80_columns() {
+fn no_number_is_cut() {
     let (mut bad, mut seen) = (Vec::new(), 0);
     each_frame(|name, state| {
-        for (is_bad, line) in cut_lines(state) {
-            seen += 1;
-            bad.extend(is_bad.then(|| format!("{name} {:?} {}: {line}", state.view, state.look.language)));
+        for size in [[80, 24], [100, 30], [120, 40]] {
+            for (is_bad, line) in cut_lines(state, size) {
+                seen += 1;
+                let (view, language) = (state.view, state.look.language);
+                bad.extend(is_bad.then(|| format!("{name} {view:?} {size:?} {language}: {line}")));
+            }
         }
     });
     assert!(bad.is_empty(), "{}", bad.join("\n"));
@@ -57,7 +60,10 @@ fn the_results_before_and_after_a_change_are_whole() {
             state.look.language = language;
             let frame = text(&state, 80, 24);
             assert!(frame.matches(" -> ").count() > 2 && frame.contains(" %"), "{name}: {frame}");
-            assert!(cut_lines(&state).iter().all(|(is_bad, _)| !is_bad), "{name} {language}: {frame}");
+            assert!(
+                cut_lines(&state, [80, 24]).iter().all(|(is_bad, _)| !is_bad),
+                "{name} {language}: {frame}"
+            );
         }
     }
 }

@@ -475,3 +475,24 @@ fn the_events_of_the_cycle_are_bands_and_enter_goes_there() {
     press(&mut state, "b");
     assert!(text(&state, 80, 24).contains("Formula") || text(&state, 80, 24).contains("I(ground"));
 }
+
+#[test]
+fn every_quantity_beside_the_mechanism_comes_in_sight() {
+    for name in ["jansen", "six-links", "n-four-bar-40"] {
+        let mut state = opened(name);
+        press(&mut state, "1");
+        let frame = text(&state, 80, 24);
+        let scene = state.scene.as_ref().unwrap();
+        let heads: Vec<String> =
+            scene.transfers.iter().map(|one| state.told(&scene.series[one.orders[0]].head)).collect();
+        assert!(frame.contains(&format!("/ {}", heads.len() - 1)), "{frame}");
+        let mut seen = String::new();
+        for _ in 0..heads.len() {
+            seen += &text(&state, 80, 24);
+            press(&mut state, "Down");
+        }
+        for head in heads {
+            assert!(seen.contains(&format!("{head} ")), "{name}: {head}");
+        }
+    }
+}

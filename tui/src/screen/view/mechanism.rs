@@ -5,6 +5,7 @@ use assur_book::catalogue;
 use assur_figure::cells::{cell_width, point_at};
 use assur_figure::{Figure, Ink, Stroke};
 use assur_mechanism::Motion;
+use assur_picture::Transfer;
 use assur_picture::arrows;
 use assur_picture::curves::in_radians;
 use assur_picture::mechanism::figure;
@@ -12,7 +13,7 @@ use assur_words::{self as words, Text, joined, quantity, text};
 use ratatui::layout::{Constraint, Layout, Rect};
 
 use crate::number::digits;
-use crate::screen::draw::{Pen, cells, wrapped};
+use crate::screen::draw::{Pen, cells, short, wrapped};
 use crate::screen::state::{Probe, Role, Scene, Series, State};
 
 /// Columns of the numbers next to the drawing.
@@ -49,17 +50,33 @@ fn draw_numbers(pen: &mut Pen<'_>, scene: &Scene, figure: &Figure, drawing: Rect
     if let Some(broken) = scene.broken.get(&state.position) {
         let rows = wrapped(&state.told(&broken.why), usize::from(area.width.max(8)) - 2);
         lines.extend(rows.into_iter().map(|line| (Role::Bad, line)));
-    } else {
-        match &state.probe {
-            Some(probe) => lines.extend(of_probe(state, scene, probe)),
-            None => lines.extend(quantities(state, scene)),
-        }
-        // The legend and the scale of the arrows, at the foot of the panel.
-        let legend = legend(state, scene, figure, drawing);
-        lines.resize(usize::from(area.height).saturating_sub(legend.len() + 1), plain(String::new()));
-        lines.extend(legend);
+        return pen.put_lines(area, 1, &lines);
     }
-    pen.put_lines(area, 1, &lines);
+    let others = match &state.probe {
+        Some(probe) => {
+            lines.extend(of_probe(state, scene, probe));
+            Vec::new()
+        }
+        None => {
+            lines.extend(chosen(state, scene));
+            others(state, scene)
+        }
+    };
+    // The legend and the scale of the arrows, at the foot of the panel.
+    let legend = legend(state, scene, figure, drawing);
+    let [top, list, foot] = Layout::vertical([
+        Constraint::Length(short(lines.len())),
+        Constraint::Min(0),
+        Constraint::Length(short(legend.len()) + 1),
+    ])
+    .areas(area);
+    pen.put_lines(top, 1, &lines);
+    pen.put_lines(foot, 1, &legend);
+    // From the chosen quantity on: so all come in sight.
+    let room = usize::from(list.height);
+    let skip = state.chosen.transfer.min(others.len().saturating_sub(room));
+    pen.put_lines(list, 1, others.iter().skip(skip).take(room));
+    pen.mark_rows(list, skip..others.len().min(skip + room), others.len());
 }
 
 fn legend(state: &State, scene: &Scene, figure: &Figure, drawing: Rect) -> Vec<(Role, String)> {
@@ -120,8 +137,8 @@ fn of_probe(state: &State, scene: &Scene, probe: &Probe) -> Vec<(Role, String)> 
     std::iter::once((Role::Header, title)).chain(rows).collect()
 }
 
-/// PF0, PF1, PF2 of the chosen quantity, then PF0 of the others.
-fn quantities(state: &State, scene: &Scene) -> Vec<(Role, String)> {
+/// PF0, PF1, PF2 of the chosen quantity.
+fn chosen(state: &State, scene: &Scene) -> Vec<(Role, String)> {
     let Some(transfer) = scene.transfers.get(state.chosen.transfer) else { return Vec::new() };
     let show = |series: &Series| state.told(series.show(state.position));
     let mut lines = vec![(Role::Header, state.told(&transfer.name))];
@@ -130,15 +147,20 @@ fn quantities(state: &State, scene: &Scene) -> Vec<(Role, String)> {
         (Role::Plain, format!(" {} {}", state.told(order), show(&in_radians(&scene.series[*index]))))
     }));
     lines.push((Role::Plain, String::new()));
-    let others = scene.transfers.iter().filter(|other| other.name != transfer.name);
-    lines.extend(others.map(|other| {
-        let first = other.orders[0];
-        let text = format!("{} {}", state.told(&scene.series[first].head), show(&scene.series[first]));
+    lines
+}
+
+/// PF0 of the other quantities.
+fn others(state: &State, scene: &Scene) -> Vec<(Role, String)> {
+    let others = scene.transfers.iter().enumerate().filter(|(index, _)| *index != state.chosen.transfer);
+    let line = |(_, other): (usize, &Transfer)| {
+        let first = &scene.series[other.orders[0]];
+        let text = format!("{} {}", state.told(&first.head), state.told(first.show(state.position)));
         // A link has its number in the drawing.
         match other.owner {
             Owner::Link(number) => (Role::Drawn(Ink::Link(number)), format!("{number} {text}")),
             _ => (Role::Plain, text),
         }
-    }));
-    lines
+    };
+    others.map(line).collect()
 }

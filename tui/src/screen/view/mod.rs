@@ -28,7 +28,7 @@ use crate::screen::draw::{Pen, cut};
 use crate::screen::state::{Role, State, View};
 
 /// Smallest terminal that holds the views.
-const LEAST: (u16, u16) = (80, 24);
+pub(crate) const LEAST: (u16, u16) = (80, 24);
 /// Least width of a terminal in which several views are shown beside each other.
 const SEVERAL: u16 = 120;
 /// Least width of the view that is chosen.
