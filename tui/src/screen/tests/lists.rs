@@ -495,7 +495,11 @@ fn every_quantity_beside_the_mechanism_comes_in_sight() {
             press(&mut state, "Down");
         }
         for head in heads {
-            assert!(head.iter().any(|head| seen.contains(&format!("{head} "))), "{name}: {head:?}");
+            assert!(
+                head.iter()
+                    .any(|head| seen.contains(&format!("{head} ")) || seen.contains(&format!("{head}\n"))),
+                "{name}: {head:?}"
+            );
         }
     }
 }
