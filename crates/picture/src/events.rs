@@ -1,6 +1,8 @@
 //! The events of the cycle as bands over the coordinate: assembly modes, self-locking, dead angles, changes of the side of a guide.
 
-use assur_figure::{Axis, AxisKind, Cursor, Figure, Frame, Ink, Item, Key, Panel, Sample, Sign, Stroke};
+use assur_figure::{
+    Axis, AxisKind, Cursor, Figure, Frame, Ink, Item, Key, Panel, Sample, Sign, Stroke, extent,
+};
 use assur_report::topic::Event;
 use assur_words::{Text, name, text};
 
@@ -35,7 +37,10 @@ pub(crate) fn figure(results: &Results, look: &Look<'_>) -> Figure {
     let base = results.base_of_cycle(look);
     let range = [-(last as f64) - MARGIN, MARGIN - 1.0];
     let y = Axis { label: Text::default(), range, kind: AxisKind::Unmarked };
-    let (x, cursor) = (base.axis, Some(Cursor::from(base.cursor)));
+    // Modes are told of a whole turn, of which the positions may be a part.
+    let ends = events.iter().flat_map(|event| event.ends.map(|end| factor * end)).chain(base.axis.range);
+    let x = Axis { range: extent(ends).unwrap_or(base.axis.range), ..base.axis };
+    let cursor = Some(Cursor::from(base.cursor));
     let title = text!("events-title");
     let panel = Panel { title: Text::default(), frame: Frame::Axes { x, y, cursor }, items };
     Figure { title, legend, ..Figure::of(panel) }
