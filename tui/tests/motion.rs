@@ -8,9 +8,11 @@ use std::process::{Command, Output};
 
 use serde_json::Value;
 
-const SCENES: [&str; 10] = [
+const SCENES: [&str; 12] = [
     "brake",
     "run-up",
+    "disc-case-2-speed",
+    "disc-case-2-time",
     "disc-case-3",
     "disc-case-4",
     "disc-case-5",

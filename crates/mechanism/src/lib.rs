@@ -158,6 +158,8 @@ pub struct Input {
     pub link: LinkId,
     /// Its pair with the ground, which also defines the coordinate.
     pub pair: InputPair,
+    /// What the coordinate is called in results; `None`: by no name of its own.
+    pub name: Option<Name>,
     /// Coordinate of the first position, rad or m.
     pub from: f64,
     /// Number of positions, at least 1.
@@ -210,7 +212,7 @@ impl Default for Input {
     /// One turn of nothing, in one position.
     fn default() -> Self {
         let (pair, range) = (InputPair::Pin(0), Range::Cycle(std::f64::consts::TAU));
-        Self { link: GROUND, pair, from: 0.0, positions: 1, range, direction: Sense::Ccw }
+        Self { link: GROUND, pair, name: None, from: 0.0, positions: 1, range, direction: Sense::Ccw }
     }
 }
 

@@ -50,7 +50,6 @@ motion-coordinate = coordinate
 motion-speed = speed
 motion-acceleration = acceleration
 motion-time = time, s
-chart-coordinate = coordinate, { $unit }
 regime-against = { $load }, against the motion
 regime-excess-area = A* = { $work }
 instant-at = instant { $instant }, { $time }, { $at }

@@ -50,7 +50,6 @@ motion-coordinate = координата
 motion-speed = скорость
 motion-acceleration = ускорение
 motion-time = время, с
-chart-coordinate = координата, { $unit }
 regime-against = { $load }, против движения
 regime-excess-area = A* = { $work }
 instant-at = момент { $instant }, { $time }, { $at }

@@ -50,7 +50,6 @@ motion-coordinate = координата
 motion-speed = швидкість
 motion-acceleration = прискорення
 motion-time = час, с
-chart-coordinate = координата, { $unit }
 regime-against = { $load }, проти руху
 regime-excess-area = A* = { $work }
 instant-at = момент { $instant }, { $time }, { $at }

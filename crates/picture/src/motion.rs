@@ -51,9 +51,13 @@ fn over_time(found: &Found, look: &Look<'_>) -> Vec<Panel> {
     let analysis = &found.analysis;
     let [speed, acceleration] = Unit::rates(analysis.input.angular);
     let all = [
-        ("motion-coordinate", plots::raw_coordinate(&found.linkage), Quantity::Transfer(0)),
-        ("motion-speed", speed.name, Quantity::Velocity),
-        ("motion-acceleration", acceleration.name, Quantity::Acceleration),
+        (
+            plots::coordinate_name(&found.linkage),
+            plots::raw_coordinate(&found.linkage),
+            Quantity::Transfer(0),
+        ),
+        (text!("motion-speed"), speed.name, Quantity::Velocity),
+        (text!("motion-acceleration"), acceleration.name, Quantity::Acceleration),
     ];
     let time = Column::TIME;
     let Some(last) = analysis.trajectory.len().checked_sub(1) else { return Vec::new() };
@@ -61,11 +65,11 @@ fn over_time(found: &Found, look: &Look<'_>) -> Vec<Panel> {
     let Some(now) = analysis.trajectory.get(row, time) else { return Vec::new() };
     let times = (0..=last).filter_map(|row| analysis.trajectory.get(row, time));
     let x = Axis::around(text!("motion-time"), times, 0.0);
-    let panel = |(told, unit, of): (&'static str, &'static str, Quantity)| {
+    let panel = |(told, unit, of): (Text, &'static str, Quantity)| {
         let course = plots::sampled(found, time, of);
         let value = course.between(now).unwrap_or(f64::NAN);
         let cursor = Cursor { at: now, value: quantity(number(value), unit) };
-        plots::curves(text!(told), vec![(text!(told), course)], (x.clone(), 1.0), Some(cursor))
+        plots::curves(told.clone(), vec![(told, course)], (x.clone(), 1.0), Some(cursor))
     };
     let energies = plots::energies(found, time, (x.clone(), 1.0), now);
     all.map(panel).into_iter().chain(energies).chain(loads_over_way(found, row)).collect()
@@ -92,7 +96,8 @@ fn loads_over_way(found: &Found, row: usize) -> Option<Panel> {
     let owners = schema.owners(Quantity::ReducedLoad);
     let curves: Vec<(Text, Course)> = owners.into_iter().filter_map(curve).take(MOST).collect();
     let now = table.get(row, place).filter(|_| !curves.is_empty())?;
-    let told = list([text!("motion-coordinate"), words::unit(plots::raw_coordinate(&found.linkage))]);
+    let told =
+        list([plots::coordinate_name(&found.linkage), words::unit(plots::raw_coordinate(&found.linkage))]);
     let x = Axis::around(told, (0..table.len()).filter_map(|row| table.get(row, place)), 0.0);
     // Several curves name themselves.
     let alone = curves.iter().map(|(told, _)| told.clone()).filter(|_| curves.len() == 1);

@@ -31,7 +31,7 @@ pub(crate) fn coordinate_axis(linkage: &Linkage) -> Axis {
     let last = input.positions - usize::from(!input.is_cycle());
     let ends = [0.0, last as f64].map(|at| coordinate_at(linkage, at));
     let kind = if linkage.angular() { AxisKind::Degrees } else { AxisKind::Linear };
-    Axis { kind, ..Axis::around(text!("chart-coordinate", unit = unit(symbol)), ends, 0.0) }
+    Axis { kind, ..Axis::around(list([coordinate_name(linkage), unit(symbol)]), ends, 0.0) }
 }
 
 /// The curve of a quantity over the positions or samples, with the cursor at the present one, at which it has a value.
@@ -108,6 +108,11 @@ pub(crate) fn titled(told: Text, of: Unit) -> Text {
     list([told, unit(of.name)])
 }
 
+/// What the scene calls the coordinate.
+pub(crate) fn coordinate_name(linkage: &Linkage) -> Text {
+    linkage.mechanism.input.name.as_ref().map_or(text!("motion-coordinate"), Text::from)
+}
+
 /// The SI unit of the coordinate, in which a motion over time has it.
 pub(crate) fn raw_coordinate(linkage: &Linkage) -> &'static str {
     if linkage.angular() { "rad" } else { "m" }
@@ -161,12 +166,14 @@ pub(crate) fn vectors(
 }
 
 /// Gives all panels the bounds of the largest one, so that they have one scale.
-pub(crate) fn one_scale(panels: &mut [Panel]) {
-    let of =
-        |panel: &Panel| if let Frame::Plane { bounds, .. } = &panel.frame { bounds.size() } else { [0.0; 2] };
+pub fn one_scale<'a>(panels: impl IntoIterator<Item = &'a mut Panel>) {
+    let mut panels: Vec<&mut Panel> = panels.into_iter().collect();
+    let of = |panel: &&mut Panel| {
+        if let Frame::Plane { bounds, .. } = &panel.frame { bounds.size() } else { [0.0; 2] }
+    };
     let most =
         panels.iter().map(of).fold([0.0_f64; 2], |most, size| [most[0].max(size[0]), most[1].max(size[1])]);
-    for panel in panels {
+    for panel in &mut panels {
         if let Frame::Plane { bounds, .. } = &mut panel.frame {
             let center = bounds.center();
             let corner = |side: f64| [0, 1].map(|axis| center[axis] + side * most[axis] / 2.0);

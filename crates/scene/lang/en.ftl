@@ -359,6 +359,7 @@ scene-key-input-positions = How many positions are calculated: equally spaced ov
 scene-key-input-cycle = The travel of the input after which everything repeats; absent, one turn.
 scene-key-input-direction = The sense in which the coordinate moves: "ccw" grows, "cw" decreases.
 scene-key-input-to = Coordinate of the last position, in place of a cycle; a sliding input needs it or a cycle.
+scene-key-input-name = What the coordinate is called on axes and in tables; absent, "coordinate" and the input link.
 scene-key-assembly-point = A point of the mechanism and roughly where it is in the first position.
 scene-key-load-name = Its name in results and in keys.
 scene-key-load-link = The link on which it acts.

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use assur_mechanism::{GROUND, Input, InputPair, LinkId, Range, Sense};
 
-use assur_words::{name, number, quantity, text};
+use assur_words::{Text, name, number, quantity, text};
 
 use crate::text::{exclude, rounded, row, shown};
 use crate::walk::{Entry, Section};
@@ -39,7 +39,8 @@ pub(crate) fn read(root: &Section<'_>, linkage: &SceneLinks) -> Option<Input> {
     let sense = section.get("direction").and_then(|entry| entry.choice(&senses));
     let range = range(&section, dimension, from, positions);
     let direction = sense.unwrap_or(Sense::Ccw);
-    Some(Input { link: link?.0, pair: pair?, from, positions, range, direction })
+    let name = section.get("name").map(|_| section.name(Text::default, |_| None));
+    Some(Input { link: link?.0, pair: pair?, name, from, positions, range, direction })
 }
 
 /// The single pair between the link and the ground.

@@ -1,3 +1,5 @@
+use std::f64::consts::FRAC_PI_2;
+
 use assur_force::{LoadState, Loads};
 use assur_group::Order;
 use assur_kinematics::Linkage;
@@ -45,7 +47,7 @@ fn the_interval_of_the_contact_counts() {
     assert!((found.interval[1] + 80.0_f64.to_radians()).abs() < 1e-15);
 }
 
-/// Of both scenes of the press. F passes through A where the rod leans by a + atan f - asin(R sin(atan f) / r2) from the guide.
+/// Of the scenes of the press, one of which has f1 itself as its coordinate. F passes through A where the rod leans by a + atan f - asin(R sin(atan f) / r2) from the guide.
 #[test]
 fn the_guide_changes_its_side_where_the_force_passes_through_a() {
     let friction_angle = 0.1_f64.atan();
@@ -53,9 +55,12 @@ fn the_guide_changes_its_side_where_the_force_passes_through_a() {
         |a: f64| (4.0 * (a + friction_angle - (0.75 * friction_angle.sin() / 0.64).asin()).sin()).asin();
     // The angle of the second scene is (20 degrees - f1) / 5: a contraction.
     let grown = (0..300).fold(0.1, |f1, _| f1_at((20.0_f64.to_radians() - f1) / 5.0));
-    for (scene, f1, rounded) in
-        [("press", f1_at(4.0_f64.to_radians()), 12.14), ("press-compression", grown, 6.71)]
-    {
+    let constant = f1_at(4.0_f64.to_radians());
+    for (scene, f1, rounded, from) in [
+        ("press", constant, 12.14, FRAC_PI_2),
+        ("press-f1", constant, 12.14, 0.0),
+        ("press-compression", grown, 6.71, FRAC_PI_2),
+    ] {
         let linkage = compile(&fixture(scene));
         let loads = Loads::compile(&linkage).unwrap();
         let at = |q| LoadState::prescribed(&linkage.mechanism, q);
@@ -63,7 +68,7 @@ fn the_guide_changes_its_side_where_the_force_passes_through_a() {
         for name in ["groups", "longitudinal", "newton-euler"] {
             let found = sign_changes(&solver(&linkage, &loads, name), &[0], &at).unwrap().remove(0);
             assert_eq!(found.len(), 1, "{name} {found:?}");
-            let wanted = f1 - std::f64::consts::FRAC_PI_2;
+            let wanted = f1 - from;
             assert!((found[0].coordinate - wanted).abs() < 1e-12, "{scene} {name} {}", found[0].coordinate);
             assert!(!found[0].jump && found[0].before * found[0].after < 0.0);
         }

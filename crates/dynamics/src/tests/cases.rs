@@ -27,17 +27,39 @@ fn each_case_has_a_scene_whose_end_is_known() {
     let fan = linear(0.4, [40.0, -10.0], 9.0, 10.0 * PI);
     let vane = linear(0.2, [2.0, 1.0], inertia(0.0) * 3.5 * 3.5, 10.0 * PI) / inertia(10.0 * PI);
     let squares = [
-        ("brake", 0.0),
-        ("run-up", 1000.0 * PI),
-        ("disc-case-3", half),
-        ("disc-case-4", fan),
-        ("disc-case-5", vane),
+        (1, "brake", 0.0),
+        (2, "run-up", 1000.0 * PI),
+        (3, "disc-case-3", half),
+        (4, "disc-case-4", fan),
+        (5, "disc-case-5", vane),
     ];
-    for (case, (name, square)) in (1..).zip(squares) {
+    for (case, name, square) in squares {
         let (linkage, loads) = compiled(scene(name));
         let found = transient(&linkage, &loads, &Method::default(), None).unwrap();
         assert_eq!(found.dependence.case(), case, "{name}");
         assert_relative_eq!(found.trajectory.end.speed, square.sqrt(), max_relative = 2e-8, epsilon = 1e-9);
+    }
+}
+
+/// Case 2 with M(w) and with M(t): speed and angle after 20 s, by one quadrature each and by a method of steps.
+#[test]
+fn the_quadratures_of_case_two_have_scenes_whose_ends_are_known() {
+    // 0.4 w' = 5 - w/10; 0.4 w' = 1 + 2 sin 3t.
+    let fading = (-5.0_f64).exp();
+    let of_speed = [50.0 * (1.0 - fading), 50.0 * (20.0 - 4.0 * (1.0 - fading))];
+    let [sin, cos] = [60.0_f64.sin(), 60.0_f64.cos()];
+    let of_time = [(2.0 / 3.0 * (1.0 - cos) + 20.0) / 0.4, (200.0 + 2.0 / 3.0 * (20.0 - sin / 3.0)) / 0.4];
+    assert_relative_eq!(of_speed[0], 49.6631, epsilon = 5e-5);
+    assert_relative_eq!(of_time[0], 53.2540, epsilon = 5e-5);
+    for (name, [speed, angle]) in [("disc-case-2-speed", of_speed), ("disc-case-2-time", of_time)] {
+        for integrator in ["quadrature", "dop853"] {
+            let by = format!("{}integrator = \"{integrator}\"\n", scene(name));
+            let (linkage, loads) = compiled(&by);
+            let found = transient(&linkage, &loads, &Method::default(), None).unwrap();
+            assert_eq!(found.dependence.case(), 2, "{name}");
+            assert_relative_eq!(found.trajectory.end.speed, speed, max_relative = 2e-8);
+            assert_relative_eq!(found.trajectory.end.coordinate, angle, max_relative = 2e-8);
+        }
     }
 }
 

@@ -34,9 +34,7 @@ fn sides(source: &Source<'_>, page: &mut Document) {
     let table = Table::each(Text::default(), rows)
         .column(text!("head-guide"), |(slide, _)| Text::from(*slide))
         .column(text!("head-after-position"), |(_, change)| change.map(|change| number(change.after_index)))
-        .measured(Text::from(&source.analysis.input.link), coordinate, |(_, change)| {
-            Some((*change)?.coordinate)
-        })
+        .measured(source.coordinate_head(), coordinate, |(_, change)| Some((*change)?.coordinate))
         .measured(text!("head-before"), Unit::FORCE, |(_, change)| Some((*change)?.before))
         .measured(text!("head-after"), Unit::FORCE, |(_, change)| Some((*change)?.after))
         .column(text!("head-change"), |(_, change)| how(*change));
@@ -58,7 +56,7 @@ fn enveloping(source: &Source<'_>, found: &Enveloping, page: &mut Document) {
     let column = |head, unit, value: fn(&EnvelopingPoint) -> f64| {
         Column::numbers(head, unit, found.path.iter().map(|point| Some(value(point))))
     };
-    let key = column(Text::from(&source.analysis.input.link), coordinate, |point| point.coordinate);
+    let key = column(source.coordinate_head(), coordinate, |point| point.coordinate);
     let columns = vec![
         column(name("x"), Unit::LENGTH, |point| point.lowest[0]),
         column(name("y"), Unit::LENGTH, |point| point.lowest[1]),

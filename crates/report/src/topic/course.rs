@@ -112,7 +112,7 @@ fn samples(source: &Source<'_>, page: &mut Document) {
         Column { cells: rows.iter().map(|row| column.cells[*row].clone()).collect(), ..column }
     };
     let of = |quantity| Values::of(quantity, Owner::Input);
-    let mut columns = vec![column(Text::from(&source.analysis.input.link), Values::COORDINATE)];
+    let mut columns = vec![column(source.coordinate_head(), Values::COORDINATE)];
     for (head, quantity) in [
         (text!("head-speed"), Quantity::Velocity),
         (text!("head-acceleration"), Quantity::Acceleration),

@@ -102,7 +102,7 @@ fn greatest(source: &Source<'_>, page: &mut Document) {
         .column(text!("head-on"), |found| Text::from(&found.on))
         .measured(text!("head-greatest-force"), Unit::FORCE, |found| found.greatest)
         .column(text!("head-position"), |found| number(found.index))
-        .measured(Text::from(&source.analysis.input.link), source.coordinate(), |found| found.coordinate)
+        .measured(source.coordinate_head(), source.coordinate(), |found| found.coordinate)
         .measured(text!("head-rms-force"), Unit::FORCE, |found| found.rms);
     page.table(table.table());
 }

@@ -76,10 +76,15 @@ impl<'a> Source<'a> {
         Unit::place(self.angular)
     }
 
+    /// The head of a column of the coordinate: its own name, or the link whose coordinate it is.
+    fn coordinate_head(&self) -> Text {
+        self.mechanism.input.name.as_ref().map_or_else(|| Text::from(&self.analysis.input.link), Text::from)
+    }
+
     /// Number and coordinate of the positions.
     fn keys(&self) -> Vec<Column> {
         let numbers = Column::counted(text!("head-number"), self.positions.numbers().iter().copied());
-        vec![numbers, self.headed(Text::from(&self.analysis.input.link), Values::COORDINATE)]
+        vec![numbers, self.headed(self.coordinate_head(), Values::COORDINATE)]
     }
 
     /// A column of one quantity over the positions; a dash where a position has none.

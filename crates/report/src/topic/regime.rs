@@ -122,8 +122,7 @@ pub(super) fn course(source: &Source<'_>, page: &mut Document) {
     let column = |head, unit: Unit, value: &dyn Fn(&RegimeState) -> Option<f64>| {
         Column::numbers(head, unit, rows.iter().map(|row| value(row)))
     };
-    let key =
-        column(Text::from(&source.analysis.input.link), source.coordinate(), &|row| Some(row.coordinate));
+    let key = column(source.coordinate_head(), source.coordinate(), &|row| Some(row.coordinate));
     let mean = regime.found.mean_resistance;
     let columns = vec![
         column(text!("head-speed"), rate, &|row| Some(row.speed)),

@@ -135,8 +135,8 @@ fn mechanism_of(draft: &mut Draft, pair: InputPair, from: f64) -> Mechanism {
     let moving = |point: &&usize| points[**point].places[0].link != GROUND;
     let assembly = (0..points.len()).collect::<Vec<_>>();
     let assembly = assembly.iter().filter(moving).map(|&id| (id, draft.world_of(id))).collect();
-    let input =
-        Input { link: 1, pair, from, positions: POSITIONS[0], range: Range::To(from), direction: Sense::Ccw };
+    let (positions, range) = (POSITIONS[0], Range::To(from));
+    let input = Input { link: 1, pair, name: None, from, positions, range, direction: Sense::Ccw };
     Mechanism {
         title: "Specimen".to_owned(),
         links: draft.links.clone(),

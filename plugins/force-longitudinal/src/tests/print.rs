@@ -8,7 +8,7 @@ use crate::Longitudinal;
 pub(super) const PRESS: Press =
     Press { crank: 0.04, rod: 0.16, center: 0.64, radius: 0.75, force: 20e3, friction: 0.1 };
 
-/// Twice the angle at which the contact acts, at f1 in degrees: of both scenes of the press.
+/// Twice the angle at which the contact acts, at f1 in degrees: of the scenes of the press.
 pub(super) type Alpha = fn(f64) -> f64;
 pub(super) const CONSTANT: Alpha = |_| 8.0_f64.to_radians();
 const COMPRESSION: Alpha = |degrees| (2.0 * (20.0 - degrees) / 5.0).to_radians();
@@ -37,8 +37,10 @@ fn equations_as_printed_give_the_reference_of_the_press() {
 }
 
 #[test]
-fn both_forms_give_what_the_print_gives_for_both_scenes() {
-    for (name, alpha) in [("press.toml", CONSTANT), ("press-compression.toml", COMPRESSION)] {
+fn both_forms_give_what_the_print_gives_for_each_scene() {
+    let scenes =
+        [("press.toml", CONSTANT), ("press-f1.toml", CONSTANT), ("press-compression.toml", COMPRESSION)];
+    for (name, alpha) in scenes {
         let linkage = compile(&fixture(name));
         let all = joints(&linkage.mechanism, &linkage.structure);
         let of = |found: &Reactions, pin: &str| {
