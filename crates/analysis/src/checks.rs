@@ -273,7 +273,7 @@ impl Calculation {
         if !forces.is_empty() {
             let section = schema.section();
             schema.add(section, groups.clone().map(|i| column(Residual::Equilibrium, Owner::Group(i))));
-            let of_input = [Residual::Dynamics, Residual::Global];
+            let of_input = [Residual::Dynamics, Residual::Remainder, Residual::Global];
             schema.add(section, of_input.map(|of| column(of, Owner::Input)));
         }
         let mut rows: BTreeMap<usize, (Option<f64>, Option<&ForceResiduals>)> = BTreeMap::new();
@@ -282,7 +282,7 @@ impl Calculation {
             rows.entry(*number).or_default().0 = Some(*residual);
         }
         for found in forces {
-            let mut all = found.groups.iter().chain([&found.dynamics, &found.global]);
+            let mut all = found.groups.iter().chain([&found.dynamics, &found.remainder, &found.global]);
             if all.all(|residual| residual.is_finite()) {
                 rows.entry(found.number).or_default().1 = Some(found);
             }
@@ -290,7 +290,8 @@ impl Calculation {
         let mut table = Table::new(Arc::new(schema));
         for (number, (deviation, found)) in rows {
             let of_forces = groups.clone().map(|group| found.map(|found| found.groups[group]));
-            let of_input = [found.map(|found| found.dynamics), found.map(|found| found.global)];
+            let of_input = |found: &ForceResiduals| [found.dynamics, found.remainder, found.global];
+            let of_input = (0..3).map(|index| found.map(|found| of_input(found)[index]));
             let of_forces = of_forces.chain(of_input).filter(|_| !forces.is_empty());
             table.push(number, (!test_pf.is_empty()).then_some(deviation).into_iter().chain(of_forces));
         }

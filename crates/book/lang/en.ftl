@@ -46,10 +46,11 @@ quantity-ideal-balancing = balancing load without friction
 quantity-efficiency = efficiency
 quantity-friction-certificate = friction certificate
 quantity-condition = condition
-quantity-residual-test-pf = residual of TestPf
-quantity-residual-equilibrium = residual of equilibrium
-quantity-residual-dynamics = residual of the equation of motion
-quantity-residual-global = residual of the global check
+quantity-residual-test-pf = relative residual of TestPf
+quantity-residual-equilibrium = relative residual of equilibrium
+quantity-residual-dynamics = relative residual of the equation of motion
+quantity-remainder = remainder of the equation of motion
+quantity-residual-global = relative residual of the global check
 # How facts stand in a table.
 fact-quantity = Quantity
 fact-value = Value

@@ -47,10 +47,11 @@ quantity-ideal-balancing = уравновешивающая нагрузка б�
 quantity-efficiency = КПД
 quantity-friction-certificate = показатель сходимости трения
 quantity-condition = обусловленность
-quantity-residual-test-pf = невязка численной проверки передаточных функций
-quantity-residual-equilibrium = невязка равновесия
-quantity-residual-dynamics = невязка уравнения движения
-quantity-residual-global = невязка глобальной проверки
+quantity-residual-test-pf = относительная невязка численной проверки передаточных функций
+quantity-residual-equilibrium = относительная невязка равновесия
+quantity-residual-dynamics = относительная невязка уравнения движения
+quantity-remainder = остаток уравнения движения
+quantity-residual-global = относительная невязка глобальной проверки
 # Как величины стоят в таблице.
 fact-quantity = Величина
 fact-value = Значение

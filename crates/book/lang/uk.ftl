@@ -47,10 +47,11 @@ quantity-ideal-balancing = зрівноважувальне навантажен
 quantity-efficiency = ККД
 quantity-friction-certificate = показник збіжності тертя
 quantity-condition = обумовленість
-quantity-residual-test-pf = нев'язка чисельної перевірки передавальних функцій
-quantity-residual-equilibrium = нев'язка рівноваги
-quantity-residual-dynamics = нев'язка рівняння руху
-quantity-residual-global = нев'язка глобальної перевірки
+quantity-residual-test-pf = відносна нев'язка чисельної перевірки передавальних функцій
+quantity-residual-equilibrium = відносна нев'язка рівноваги
+quantity-residual-dynamics = відносна нев'язка рівняння руху
+quantity-remainder = залишок рівняння руху
+quantity-residual-global = відносна нев'язка глобальної перевірки
 # Як величини стоять у таблиці.
 fact-quantity = Величина
 fact-value = Значення

@@ -268,6 +268,8 @@ pub struct ForceResiduals {
     /// Sum of the equation of motion M + Q - J e - J' w^2/2, relative to its terms; M is the load of the drive, where the motion is
     /// prescribed the balancing load.
     pub dynamics: f64,
+    /// The same sum itself (S "Pogr1"), N m, for a sliding input N.
+    pub remainder: f64,
     /// Difference of the balancing load and the load of the drive; where the motion is prescribed, sum of the powers of all loads
     /// and inertia loads and of the balancing load. Relative to the terms.
     pub global: f64,

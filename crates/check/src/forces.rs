@@ -82,8 +82,8 @@ impl<'a> Forces<'a> {
         agreement::compare(&case, agreeing);
         let groups = equilibrium::compare(&case, [links, joints, guides]);
         friction::compare(&case, rubbing);
-        let [dynamics, global] = power::compare(&case, [reduced, lagrange, powers, drive]);
-        self.residuals.push(ForceResiduals { number: index, groups, dynamics, global });
+        let ([dynamics, global], remainder) = power::compare(&case, [reduced, lagrange, powers, drive]);
+        self.residuals.push(ForceResiduals { number: index, groups, dynamics, remainder, global });
     }
 
     /// What was collected, and the residuals of each state.

@@ -4,7 +4,7 @@
 use assur_force::{Cause, LoadState, Side, UnitBalance, power, tolerance};
 use assur_group::Body;
 use assur_mechanism::PairId;
-use assur_words::{Text, name, text};
+use assur_words::{Text, name, quantity, text};
 
 use crate::kinetics::{self, ROUNDINGS, rounding_of_sum};
 use crate::{case::Case, check::Collector};
@@ -12,9 +12,13 @@ use crate::{case::Case, check::Collector};
 /// Why the drive is not compared there.
 const ON_A_JUMP: Text = text!("check-on-a-jump");
 
-/// Compares the reduced quantities, the equation of motion, virtual power and the drive at one state; returns the residuals of the equation of motion and of the global check. Where the motion was found, both
+/// Compares the reduced quantities, the equation of motion, virtual power and the drive at one state; returns the residuals of the
+/// equation of motion and of the global check, and what is left of the equation of motion, N m or N. Where the motion was found, they
 /// are those of the drive that made it: the balancing load of the force analysis follows any acceleration.
-pub(crate) fn compare(case: &Case<'_>, [reduced, lagrange, lever, drive]: [&mut Collector; 4]) -> [f64; 2] {
+pub(crate) fn compare(
+    case: &Case<'_>,
+    [reduced, lagrange, lever, drive]: [&mut Collector; 4],
+) -> ([f64; 2], f64) {
     let (one, state, loads) = (case.one, case.state, case.loads);
     let linkage = case.subject.linkage;
     let bodies = &one.position.bodies;
@@ -48,8 +52,12 @@ pub(crate) fn compare(case: &Case<'_>, [reduced, lagrange, lever, drive]: [&mut 
     // Where every power is zero or rounding, the sum is measured by what the loads would do on the fastest link.
     let total = if total > rounding { total } else { carried.max(f64::MIN_POSITIVE) };
     let limit = (rounding_of_sum(added, total) + rounding / total) * one.condition;
-    let of_motion = (balancing + moment + terms[0] + terms[1]).abs() / total;
-    lagrange.offer(one.index, of_motion, limit, || text!("check-all-loads"));
+    let mut left = balancing + moment + terms[0] + terms[1];
+    let of_motion = left.abs() / total;
+    let unit = if linkage.angular() { "N m" } else { "N" };
+    let told =
+        || text!("check-remainder", symbol = name("Pogr1"), left = quantity(format!("{left:.1e}"), unit));
+    lagrange.offer(one.index, of_motion, limit, told);
     let sum: f64 =
         loads.total(state, bodies).iter().zip(bodies).map(|(wrench, body)| power(wrench, body)).sum();
     let of_powers = (balancing + sum).abs() / total;
@@ -62,12 +70,13 @@ pub(crate) fn compare(case: &Case<'_>, [reduced, lagrange, lever, drive]: [&mut 
             Some(uncertain) => {
                 let limit = limit + (given.error + uncertain) / total;
                 drive.offer(one.index, off, limit, || text!("check-input-link"));
-                residuals = [(given.value + friction + moment + terms[0] + terms[1]).abs() / total, off];
+                left = given.value + friction + moment + terms[0] + terms[1];
+                residuals = [left.abs() / total, off];
             }
             None => drive.leave_out(one.index, ON_A_JUMP),
         }
     }
-    residuals
+    (residuals, left)
 }
 
 /// How far the reduced moment of the loads may be off where the motion was found: on a steep line by what it gains over the

@@ -209,7 +209,7 @@ head-rated-speed = Rated speed
 head-ratio = Ratio
 head-remark = Remark
 head-reserve = Reserve
-head-residual = Residual
+head-residual = Relative residual
 head-resisting-work = Resisting work
 head-friction-work-of-course = Friction work
 head-rests-at = Rests at
@@ -392,13 +392,13 @@ shaking-harmonics-text = Factors of cos(k q) and sin(k q); order k makes k perio
 shaking-positions = Shaking force over the cycle
 
 # The plans of a position.
-plan-with-scale = { $title }: unit { $unit }, 1 mm = { $scale } { $unit }; residual { $residual }
-plan-without-scale = { $title }: unit { $unit }; residual { $residual }
+plan-with-scale = { $title }: unit { $unit }, 1 mm = { $scale } { $unit }; relative residual { $residual }
+plan-without-scale = { $title }: unit { $unit }; relative residual { $residual }
 plans-of = Plans of position { $position } ({ $link } { $at })
 plan-centers = Instant centers
 plan-at-infinity = at infinity, in this direction
 plan-no-relative-motion = no relative motion
-plan-causes = Reactions by cause; the shares sum to the whole up to { $residual }
+plan-causes = Reactions by cause; the shares sum to the whole up to { $residual } of the greatest force
 plan-balancing = balancing
 
 # The explanatory note.

@@ -216,7 +216,7 @@ head-rated-speed = Номинальная скорость
 head-ratio = Передаточное отношение
 head-remark = Примечание
 head-reserve = Запас
-head-residual = Невязка
+head-residual = Относительная невязка
 head-resisting-work = Работа сил сопротивления
 head-friction-work-of-course = Работа трения
 head-rests-at = Выстой при
@@ -396,13 +396,13 @@ shaking-harmonics-text = Коэффициенты при cos(k q) и sin(k q); �
 shaking-positions = Неуравновешенная сила за цикл
 
 # Планы положения.
-plan-with-scale = { $title }: единица { $unit }, 1 мм = { $scale } { $unit }; невязка { $residual }
-plan-without-scale = { $title }: единица { $unit }; невязка { $residual }
+plan-with-scale = { $title }: единица { $unit }, 1 мм = { $scale } { $unit }; относительная невязка { $residual }
+plan-without-scale = { $title }: единица { $unit }; относительная невязка { $residual }
 plans-of = Планы положения { $position } ({ $link } { $at })
 plan-centers = Мгновенные центры скоростей
 plan-at-infinity = в бесконечности, в этом направлении
 plan-no-relative-motion = без относительного движения
-plan-causes = Реакции по причинам; сумма долей отличается от целого на { $residual }
+plan-causes = Реакции по причинам; сумма долей отличается от целого на { $residual } наибольшей силы
 plan-balancing = уравновешивающая
 
 # Пояснительная записка.

@@ -216,7 +216,7 @@ head-rated-speed = Номінальна швидкість
 head-ratio = Передавальне відношення
 head-remark = Примітка
 head-reserve = Запас
-head-residual = Нев'язка
+head-residual = Відносна нев'язка
 head-resisting-work = Робота сил опору
 head-friction-work-of-course = Робота тертя
 head-rests-at = Вистій при
@@ -396,13 +396,13 @@ shaking-harmonics-text = Коефіцієнти при cos(k q) і sin(k q); п�
 shaking-positions = Незрівноважена сила за цикл
 
 # Плани положення.
-plan-with-scale = { $title }: одиниця { $unit }, 1 мм = { $scale } { $unit }; нев'язка { $residual }
-plan-without-scale = { $title }: одиниця { $unit }; нев'язка { $residual }
+plan-with-scale = { $title }: одиниця { $unit }, 1 мм = { $scale } { $unit }; відносна нев'язка { $residual }
+plan-without-scale = { $title }: одиниця { $unit }; відносна нев'язка { $residual }
 plans-of = Плани положення { $position } ({ $link } { $at })
 plan-centers = Миттєві центри швидкостей
 plan-at-infinity = у нескінченності, у цьому напрямі
 plan-no-relative-motion = без відносного руху
-plan-causes = Реакції за причинами; сума часток відрізняється від цілого на { $residual }
+plan-causes = Реакції за причинами; сума часток відрізняється від цілого на { $residual } найбільшої сили
 plan-balancing = зрівноважувальне
 
 # Пояснювальна записка.

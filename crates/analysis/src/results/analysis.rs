@@ -199,7 +199,7 @@ pub struct Energy {
     pub change: f64,
 }
 
-/// What a residual of one position compares; relative to the size of what is compared.
+/// What a residual of one position compares; but for the remainder relative to the size of what is compared.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Residual {
     /// PF1, PF2 and J' against numerical differentiation: the largest deviation.
@@ -208,6 +208,8 @@ pub enum Residual {
     Equilibrium,
     /// The equation of motion of the input, written out over every load.
     Dynamics,
+    /// What is left of the equation of motion (S "Pogr1"), N m, for a sliding input N.
+    Remainder,
     /// The power of the balancing load against that of all loads and inertia loads.
     Global,
 }
@@ -221,6 +223,7 @@ impl Residual {
             }
             (Self::Equilibrium, _) => text!("analysis-residual-equilibrium").into(),
             (Self::TestPf, _) => "TestPf".into(),
+            (Self::Remainder, _) => "Pogr1".into(),
             (Self::Dynamics, _) => text!("analysis-residual-dynamics").into(),
             (Self::Global, _) => text!("analysis-residual-global").into(),
         }

@@ -123,6 +123,7 @@ rows! {
     Q::Holding, _ => SENSE "quantity-holding", "", M::OnInput, "holding.moment", "";
     Q::HoldingBound, _ => SENSE "quantity-holding-bound", "", M::OnInput, "holding.bound", "";
     Q::Condition, _ => PLAIN "quantity-condition", "", M::In(Unit::NONE), "condition.*", "condition_*";
+    Q::Residual(Residual::Remainder), _ => SENSE residual(Residual::Remainder), "Pogr1", M::OnInput, "residuals.*", "residual_*";
     Q::Residual(of), _ => PLAIN residual(of), "", M::In(Unit::NONE), "residuals.*", "residual_*";
 }
 
@@ -132,6 +133,7 @@ const fn residual(of: Residual) -> &'static str {
         Residual::TestPf => "quantity-residual-test-pf",
         Residual::Equilibrium => "quantity-residual-equilibrium",
         Residual::Dynamics => "quantity-residual-dynamics",
+        Residual::Remainder => "quantity-remainder",
         Residual::Global => "quantity-residual-global",
     }
 }
@@ -143,9 +145,10 @@ pub fn sign_is_sense(column: Column) -> bool {
     of(column).sense && column.part != Part::Modulus
 }
 
-/// Whether it is a plain number, of which a small one beside a great one is no rounding of zero: a condition number, a residual.
+/// Whether a small one beside a great one is no rounding of zero: a plain number as a condition number, or a residual.
 pub fn is_ratio(column: Column) -> bool {
-    matches!(of(column).measure, M::In(unit) if unit.name.is_empty())
+    matches!(column.quantity, Q::Residual(_))
+        || matches!(of(column).measure, M::In(unit) if unit.name.is_empty())
 }
 
 /// The pairs that have reactions, each with the links on which its force is shown: of two links the first that moves, since the force

@@ -75,14 +75,15 @@ fn a_drive_that_differs_by_a_billionth_is_caught() {
     let linkage = scene(assur_fixtures::scene("shaper"));
     let loads = Loads::compile(&linkage).unwrap();
     let input = &linkage.mechanism.input;
-    let found = |factor: f64| {
+    let found = |factor: f64, more: f64| {
         let needed = |state: &LoadState| {
             let mut position = linkage.position();
             linkage.solve(state.coordinate, Order::Second, &mut position).unwrap();
             let found = loads.reduced(state, &position.bodies);
             let of_inertia =
                 found.inertia * state.acceleration + 0.5 * found.inertia_derivative * state.speed.powi(2);
-            InputLoad { value: factor * (of_inertia - found.moment), error: 0.0, accuracy: [0.0; 2] }
+            let value = factor * (of_inertia - found.moment) + more;
+            InputLoad { value, error: 0.0, accuracy: [0.0; 2] }
         };
         let subject = Subject {
             linkage: &linkage,
@@ -99,17 +100,26 @@ fn a_drive_that_differs_by_a_billionth_is_caught() {
             all.into_iter().find(|check| check.name.to_string() == "drive against force analysis").unwrap();
         let most =
             |of: fn(&crate::ForceResiduals) -> f64| residuals.forces.iter().map(of).fold(0.0, f64::max);
-        (check, [most(|at| at.dynamics), most(|at| at.global)])
+        let all: Vec<f64> = residuals.forces.iter().map(|at| at.remainder).collect();
+        (check, [most(|at| at.dynamics), most(|at| at.global)], all)
     };
-    let (check, residuals) = found(1.0);
+    let (check, residuals, _) = found(1.0, 0.0);
     assert!(
         check.finding.holds == Some(true) && residuals.iter().all(|residual| *residual < 1e-14),
         "{check:?} {residuals:?}"
     );
-    let (check, residuals) = found(1.0 + 1e-9);
+    let (check, residuals, _) = found(1.0 + 1e-9, 0.0);
     assert!(check.finding.failed());
     // The curves of both residuals show it: those of a wrong moment of the drive, as of a wrong acceleration.
     assert!(residuals.iter().all(|residual| (1e-11..1e-9).contains(residual)), "{residuals:?}");
+    // What is left of the equation of motion is what the drive gives too much, in N m and with its sign.
+    for more in [0.25, -3.0] {
+        let (_, _, left) = found(1.0, more);
+        assert!(
+            left.len() == input.positions && left.iter().all(|left| (left - more).abs() < 1e-9),
+            "{left:?}"
+        );
+    }
 }
 
 /// A disc at rest at a coordinate, with a moment that jumps at 0.5 rad and rises over 1e-12 rad at 1 rad.

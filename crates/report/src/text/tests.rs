@@ -149,7 +149,7 @@ fn sheet_of(vectors: [[f64; 2]; 2]) -> PlanSheet {
 fn plans_are_tables_with_directions_that_rounding_does_not_change() {
     let text = told(ascii(), |page| crate::topic::plans(&sheet_of([[1.0, -1e-17], [-1.0, -0.0]]), page));
     let two = &text[..text.find("Plan of accelerations").unwrap()];
-    assert!(two.starts_with("Two: unit N, 1 mm = 0.2 N; residual "), "{two}");
+    assert!(two.starts_with("Two: unit N, 1 mm = 0.2 N; relative residual "), "{two}");
     assert!(two.contains(" 0.0000 ") && two.contains(" 180.0000 ") && !two.contains("-180"), "{two}");
     assert!(two.contains("  1  N ") && two.contains("load on `arm`"), "{two}");
     let text = told(ascii(), |page| crate::topic::plans(&sheet_of([[0.0, -20.0], [0.0, 20.0]]), page));
