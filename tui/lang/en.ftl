@@ -388,8 +388,8 @@ measure-progress = { $stage }: { $done } / { $total }
 measure-stability = stability: { $done } / { $total }
 
 # Drawing without a terminal.
-draw-step-of-construction = `{ $step }` is for a construction: { $options }, in a position that has one
-draw-no-step = there is no step { $step }: the construction has steps 1 to { $last }
+draw-step-of-construction = `{ $step }` is for force polygons and for a construction: { $options }, in a position that has one
+draw-no-step = there is no step { $step }: there are steps 1 to { $last }
 draw-no-position = there is no position { $position }; they are numbered 0 to { $last }
 draw-no-parts = the view `{ $view }` has no parts
 draw-no-part = there is no part `{ $part }` of this view; its parts are { $parts }

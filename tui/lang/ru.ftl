@@ -363,8 +363,8 @@ measure-progress = { $stage }: { $done } / { $total }
 measure-stability = устойчивость: { $done } / { $total }
 
 # Drawing without a terminal.
-draw-step-of-construction = `{ $step }` относится к построению: { $options }, в положении, где оно есть
-draw-no-step = шага { $step } нет: в построении шаги от 1 до { $last }
+draw-step-of-construction = `{ $step }` относится к планам сил и к построению: { $options }, в положении, где оно есть
+draw-no-step = шага { $step } нет: есть шаги от 1 до { $last }
 draw-no-position = положения { $position } нет; их номера — от 0 до { $last }
 draw-no-parts = у вида `{ $view }` нет частей
 draw-no-part = части `{ $part }` у этого вида нет; его части: { $parts }

@@ -360,8 +360,8 @@ measure-progress = { $stage }: { $done } / { $total }
 measure-stability = стійкість: { $done } / { $total }
 
 # Drawing without a terminal.
-draw-step-of-construction = `{ $step }` стосується побудови: { $options }, у положенні, де вона є
-draw-no-step = кроку { $step } немає: у побудові кроки від 1 до { $last }
+draw-step-of-construction = `{ $step }` стосується планів сил і побудови: { $options }, у положенні, де вона є
+draw-no-step = кроку { $step } немає: є кроки від 1 до { $last }
 draw-no-position = положення { $position } немає; їхні номери — від 0 до { $last }
 draw-no-parts = вид `{ $view }` не має частин
 draw-no-part = частини `{ $part }` у цього виду немає; його частини: { $parts }

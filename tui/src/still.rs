@@ -1,9 +1,10 @@
 //! Pictures of results as files.
 
+use std::ops::Range;
 use std::path::Path;
 
 use assur_figure::{Figure, svg};
-use assur_picture::{Look, Picture, Results, ViewPart};
+use assur_picture::{Look, Picture, Results, ViewPart, find, plots};
 use assur_png as png;
 use assur_scene::nearest;
 use assur_words::{Describe, Language, Text, Told, joined, list, name, number, text};
@@ -17,24 +18,24 @@ pub(crate) const PAGE: [f64; 2] = [160.0, 120.0];
 /// What is drawn.
 #[derive(Debug, Clone, Args)]
 pub(crate) struct PictureArgs {
-    /// View of the terminal UI that is drawn
-    #[arg(long, value_name = "NAME", default_value = "mechanism", value_parser = views())]
-    pub(crate) view: Picture,
+    /// View of the terminal UI that is drawn; without it the one that has the part, or the mechanism
+    #[arg(long, value_name = "NAME", value_parser = views())]
+    pub(crate) view: Option<Picture>,
     /// Part of the view: forces, velocities, accelerations, construction (plans); overview, causes, curves, hodograph
     /// (forces); overview, course, iteration, reduction (motion); overview, curves, places, energy-mass, inertia, reduction
     /// (drive)
     #[arg(long, value_name = "NAME")]
     pub(crate) part: Option<String>,
-    /// Quantity, pair, link, group or method of a construction that is shown, found as by `/` in the terminal UI; several
-    /// quantities or reactions with commas between them lie over each other
+    /// Quantity, pair, link, group or method of a construction that is shown, found as by `/` in the terminal UI, or a strip of
+    /// motion or drive by its heading; several quantities or reactions with commas between them lie over each other
     #[arg(long, value_name = "NAME")]
     pub(crate) show: Option<String>,
-    /// Step up to which a construction is drawn, counted from 1; without it, all steps
+    /// Step up to which a construction is drawn, or group up to which force polygons are, counted from 1; without it, all
     #[arg(long, value_name = "N")]
     pub(crate) step: Option<usize>,
-    /// Position that is drawn
-    #[arg(long, value_name = "N", default_value_t = 0)]
-    pub(crate) position: usize,
+    /// Position that is drawn; several with commas between them beside each other, to one scale
+    #[arg(long, value_name = "N", default_value = "0", value_delimiter = ',')]
+    pub(crate) position: Vec<usize>,
     /// Width and height of the page in mm (png: 10 pixels a mm), for example 160x120
     #[arg(long, value_name = "WxH", value_parser = page)]
     pub(crate) size: Option<[f64; 2]>,
@@ -60,16 +61,11 @@ fn page(text: &str) -> Result<[f64; 2], Told> {
     })
 }
 
-/// A figure in the form that the ending of a file names.
-pub(crate) fn picture(
-    figure: &Figure,
-    path: &Path,
-    size: [f64; 2],
-    language: &Language,
-) -> Result<Vec<u8>, Text> {
+/// The SVG of a page in the form that the ending of a file names.
+pub(crate) fn picture(svg: String, path: &Path, size: [f64; 2]) -> Result<Vec<u8>, Text> {
     match path.extension().unwrap_or_default().to_string_lossy().to_lowercase().as_str() {
-        "svg" => Ok(svg::write(figure, size, language).into_bytes()),
-        "png" => png::write(figure, size, language).map_err(|error| error.describe()),
+        "svg" => Ok(svg.into_bytes()),
+        "png" => png::write(&svg, size).map_err(|error| error.describe()),
         _ => Err(text!("say-picture-ending", file = name(path.display().to_string()))),
     }
 }
@@ -97,14 +93,22 @@ impl From<Text> for StillError {
 impl PictureArgs {
     /// Whether the checks belong to what is drawn: residuals are quantities too.
     pub(crate) fn shows_checks(&self) -> bool {
-        self.show.is_some() && self.view == Picture::Curves
+        self.show.is_some() && self.view() == Picture::Curves
+    }
+
+    /// The view that is asked for, or else the first one that has the part.
+    fn view(&self) -> Picture {
+        let all = || Picture::VARIANTS.iter().filter_map(|name| name.parse::<Picture>().ok());
+        let has = |view: &Picture| view.parts().iter().any(|part| self.part.as_deref() == Some(part.into()));
+        self.view.or_else(|| all().find(has)).unwrap_or(Picture::Mechanism)
     }
 
     /// The part that is asked for.
     fn part(&self) -> Result<Option<ViewPart>, Text> {
-        let (parts, Some(wanted)) = (self.view.parts(), &self.part) else { return Ok(None) };
+        let (view, Some(wanted)) = (self.view(), &self.part) else { return Ok(None) };
+        let parts = view.parts();
         if parts.is_empty() {
-            return Err(text!("draw-no-parts", view = name(<&str>::from(self.view))));
+            return Err(text!("draw-no-parts", view = name(<&str>::from(view))));
         }
         let part = parts.iter().find(|part| <&str>::from(**part) == wanted).copied();
         part.map(Some).ok_or_else(|| {
@@ -112,6 +116,26 @@ impl PictureArgs {
             text!("draw-no-part", part = name(wanted.to_owned()), parts = names)
         })
     }
+
+    /// What is to be shown by its name; a number is a position.
+    fn sought(&self) -> Option<&str> {
+        self.show.as_deref().filter(|sought| !sought.is_empty() && sought.parse::<usize>().is_err())
+    }
+
+    fn positions(&self, results: &Results) -> Result<Vec<usize>, Text> {
+        let number = self.show.as_ref().and_then(|sought| sought.parse().ok());
+        let wanted = number.map_or_else(|| self.position.clone(), |position| vec![position]);
+        wanted.into_iter().map(|wanted| position(results, wanted)).collect()
+    }
+}
+
+/// What is shown of a part by its names.
+#[derive(Default)]
+struct Choice {
+    /// Quantities that lie over each other, or one without derivatives.
+    picked: Vec<String>,
+    /// Strips; none: all.
+    panels: Vec<usize>,
 }
 
 /// Time of one turn of an animation, s.
@@ -124,37 +148,80 @@ pub(crate) fn draw(
     output: &Path,
     language: &'static Language,
 ) -> Result<Vec<u8>, StillError> {
-    let size = request.size.unwrap_or(PAGE);
-    let wanted = request.part()?;
-    let mut look = Look { position: position(results, request.position)?, ..Look::default() };
+    let (view, wanted, positions) = (request.view(), request.part()?, request.positions(results)?);
+    let mut look = Look { position: positions[0], ..Look::default() };
     // A construction is drawn whole, unless a step is asked for.
     look.step = if wanted == Some(ViewPart::Construction) { usize::MAX } else { 0 };
-    let part = request.view.part(results, &look, wanted);
-    let picked = choose(results, request, part, &mut look, language)?;
+    let part = view.part(results, &look, wanted);
+    let Choice { picked, panels } = choose(results, request, part, &mut look, language)?;
     look.picked = &picked;
     // Several lie over each other as curves, and have no other part.
     let several = vec![ViewPart::Overview, ViewPart::Curves];
-    let there = if picked.len() > 1 { several } else { request.view.parts_of(results, &look) };
-    if let Some(wanted) = wanted.filter(|wanted| request.view.is_in(results) && !there.contains(wanted)) {
+    let there = if picked.len() > 1 { several } else { view.parts_of(results, &look) };
+    if let Some(wanted) = wanted.filter(|wanted| view.is_in(results) && !there.contains(wanted)) {
         let parts = list(there.into_iter().map(|part| name(<&str>::from(part))));
         return Err(text!("draw-no-part-here", part = name(<&str>::from(wanted)), parts).into());
     }
-    let part = request.view.part(results, &look, wanted);
-    if let Some(step) = request.step {
-        look.step = step_of(results, &look, (request.view, part), step)?;
+    let part = view.part(results, &look, wanted);
+    let is_sequence = part == ViewPart::Forces && request.sought().is_none();
+    let polygons =
+        if is_sequence { polygons(results, &look, request.step)? } else { look.polygon..look.polygon + 1 };
+    if let Some(step) = request.step.filter(|_| !is_sequence) {
+        look.step = step_of(results, &look, part, step)?;
     }
-    let of = |position| figure(results, request.view, &Look { position, ..look }, part);
+    let of = |look: &Look<'_>| figure(results, view, look, part, &panels);
     if !request.animate {
-        return Ok(picture(&of(look.position)?, output, size, language)?);
+        let row = |polygon| {
+            let of = |position| of(&Look { position, polygon, ..look });
+            let mut row: Vec<Figure> = positions.iter().copied().map(of).collect::<Result<_, _>>()?;
+            for panel in 0..row[0].panels.len() {
+                plots::one_scale(row.iter_mut().filter_map(|figure| figure.panels.get_mut(panel)));
+            }
+            Ok(row)
+        };
+        let rows = polygons.map(row).collect::<Result<Vec<_>, StillError>>()?.concat();
+        return sheet(&rows, positions.len(), request.size, output, language);
     }
     if output.extension().is_none_or(|ending| !ending.eq_ignore_ascii_case("svg")) {
         return Err(text!("draw-svg-alone").into());
     }
     // One turn through all positions that exist.
     let title = name(results.linkage.mechanism.title.clone());
-    let frames = results.assembled().map(|at| Ok(Figure { title: title.clone(), ..of(at)? }));
+    let frame = |position| Ok(Figure { title: title.clone(), ..of(&Look { position, ..look })? });
+    let frames = results.assembled().map(frame);
     let frames = frames.collect::<Result<Vec<_>, StillError>>()?;
-    Ok(svg::animate(&frames, size, TURN, language).into_bytes())
+    Ok(svg::animate(&frames, request.size.unwrap_or(PAGE), TURN, language).into_bytes())
+}
+
+/// Figures in rows of so many, or in about as many rows as columns, in the form that the ending of `output` names.
+fn sheet(
+    figures: &[Figure],
+    row: usize,
+    size: Option<[f64; 2]>,
+    output: &Path,
+    language: &Language,
+) -> Result<Vec<u8>, StillError> {
+    let square = (1..).find(|side| side * side >= figures.len()).unwrap_or(1);
+    let columns = if row > 1 { row } else { square };
+    let rows = figures.len().div_ceil(columns);
+    let size = size.unwrap_or([PAGE[0] * columns as f64, PAGE[1] * rows as f64]);
+    Ok(picture(svg::sheet(figures, columns, size, language), output, size)?)
+}
+
+/// The force polygons of all groups, one after the other with the input link last, or up to a step.
+fn polygons(results: &Results, look: &Look<'_>, step: Option<usize>) -> Result<Range<usize>, Text> {
+    let plans = results.found.as_ref().map(|found| found.plans.at(look.position));
+    let count = plans.and_then(|plans| Some(plans.sheet.as_ref().ok()?.polygons.len())).unwrap_or(0);
+    match step {
+        // Without any, the first one says why.
+        _ if count == 0 => Ok(0..1),
+        Some(step) if step == 0 || step > count => Err(no_step(step, count)),
+        _ => Ok(0..step.unwrap_or(count)),
+    }
+}
+
+fn no_step(step: usize, last: usize) -> Text {
+    text!("draw-no-step", step = number(step), last = number(last))
 }
 
 fn position(results: &Results, wanted: usize) -> Result<usize, Text> {
@@ -165,29 +232,37 @@ fn position(results: &Results, wanted: usize) -> Result<usize, Text> {
     Err(text!("draw-no-position", position = number(wanted), last = number(last)))
 }
 
-/// Chooses what is to be shown by its name, or a position by its number. Several quantities, which are to lie over each other, and one
-/// without derivatives are returned.
+/// Chooses what is to be shown by its name.
 fn choose(
     results: &Results,
     request: &PictureArgs,
     part: ViewPart,
     look: &mut Look<'_>,
     language: &Language,
-) -> Result<Vec<String>, Text> {
-    let mut picked = Vec::new();
-    let Some(sought) = request.show.as_ref().filter(|sought| !sought.is_empty()) else { return Ok(picked) };
-    if let Ok(number) = sought.parse() {
-        look.position = position(results, number)?;
-        return Ok(picked);
-    }
-    let (is_curves, is_forces) = (request.view == Picture::Curves, request.view == Picture::Forces);
-    let all: Vec<&str> = if is_curves || is_forces { sought.split(',').collect() } else { vec![sought] };
+) -> Result<Choice, Text> {
+    let (view, mut choice) = (request.view(), Choice::default());
+    let Some(sought) = request.sought() else { return Ok(choice) };
+    let (is_curves, is_forces) = (view == Picture::Curves, view == Picture::Forces);
+    let is_strips = matches!(view, Picture::Motion | Picture::Drive);
+    let is_list = is_curves || is_forces || is_strips;
+    let all: Vec<&str> =
+        if is_list { sought.split(',').map(str::trim).collect() } else { vec![sought.trim()] };
+    let strips = if is_strips { view.figure(results, look, part).panels } else { Vec::new() };
+    // A heading goes on with the unit and the curves.
+    let names =
+        |heading: String| vec![heading.split([',', ':']).next().unwrap_or_default().to_owned(), heading];
+    let strips: Vec<_> = strips.iter().map(|panel| names(panel.title.render(language))).collect();
     for one in &all {
         look.column = 0;
-        let found = look.choose(results, (request.view, part), one.trim(), |text| text.render(language));
+        let found = if is_strips {
+            let strip = find::by_name(&strips, strips.len().saturating_sub(1), one);
+            choice.panels.extend(strip);
+            strip.map(|_| ()).ok_or_else(|| strips.concat())
+        } else {
+            look.choose(results, (view, part), one, |text| text.render(language))
+        };
         found.map_err(|known| {
-            let offer = suggestion(one.trim(), &known);
-            text!("say-not-found", text = name(one.trim().to_owned()), offer)
+            text!("say-not-found", text = name((*one).to_owned()), offer = suggestion(one, &known))
         })?;
         // The last series of a reaction is its modulus.
         let modulus = || results.found.as_ref()?.reactions.get(look.reaction)?.series.last().copied();
@@ -196,15 +271,15 @@ fn choose(
             _ => Some(look.column)
                 .filter(|column| is_curves && (all.len() > 1 || results.transfer_of(*column).is_none())),
         };
-        picked.extend(column.and_then(|column| Some(results.column(column)?.short.clone())));
+        choice.picked.extend(column.and_then(|column| Some(results.column(column)?.short.clone())));
     }
-    Ok(picked)
+    Ok(choice)
 }
 
 /// A step of the construction that is shown, counted from 1, as a step of all constructions.
-fn step_of(results: &Results, look: &Look<'_>, of: (Picture, ViewPart), step: usize) -> Result<usize, Text> {
+fn step_of(results: &Results, look: &Look<'_>, of: ViewPart, step: usize) -> Result<usize, Text> {
     let plans = results.found.as_ref().map(|found| found.plans.at(look.position));
-    let is_drawn = of == (Picture::Plans, ViewPart::Construction);
+    let is_drawn = of == ViewPart::Construction;
     let Some(plans) = plans.filter(|plans| is_drawn && plans.step_count() > 0) else {
         let options = name("--view plans --part construction");
         return Err(text!("draw-step-of-construction", step = name("--step"), options = options));
@@ -213,18 +288,27 @@ fn step_of(results: &Results, look: &Look<'_>, of: (Picture, ViewPart), step: us
     let mut steps = (0..plans.constructions.len()).map(|number| plans.steps_of(number));
     let steps = steps.find(|steps| steps.contains(&shown)).unwrap_or(0..0);
     if step == 0 || step > steps.len() {
-        return Err(text!("draw-no-step", step = number(step), last = number(steps.len())));
+        return Err(no_step(step, steps.len()));
     }
     Ok(steps.start + step - 1)
 }
 
 /// A picture says of which scene and position it is.
-fn figure(results: &Results, view: Picture, look: &Look<'_>, part: ViewPart) -> Result<Figure, StillError> {
+fn figure(
+    results: &Results,
+    view: Picture,
+    look: &Look<'_>,
+    part: ViewPart,
+    panels: &[usize],
+) -> Result<Figure, StillError> {
     // Several reactions lie over each other as curves.
     let view = if look.picked.len() > 1 { Picture::Curves } else { view };
-    let figure = if view.is_in(results) { view.figure(results, look, part) } else { Figure::default() };
+    let mut figure = if view.is_in(results) { view.figure(results, look, part) } else { Figure::default() };
     if figure.panels.is_empty() {
         return Err(StillError::Nothing(view.missing(results, look, part).0));
+    }
+    if !panels.is_empty() {
+        figure.panels = panels.iter().map(|panel| figure.panels[*panel].clone()).collect();
     }
     if matches!(view, Picture::Mechanism | Picture::Structure) {
         return Ok(figure);

@@ -16,6 +16,23 @@ pub fn write(figure: &Figure, size: [f64; 2], language: &Language) -> String {
     animate(std::slice::from_ref(figure), size, 0.0, language)
 }
 
+/// Figures on one page of this width and height, mm, row by row in so many columns, each with its own heading and legend.
+pub fn sheet(figures: &[Figure], columns: usize, [width, height]: [f64; 2], language: &Language) -> String {
+    if let [figure] = figures {
+        return write(figure, [width, height], language);
+    }
+    let columns = columns.max(1);
+    let cell = [width / columns as f64, height / figures.len().div_ceil(columns).max(1) as f64];
+    let placed = |(index, figure): (usize, &Figure)| {
+        let elements = elements(figure, cell, language);
+        let inner: String = elements.iter().map(|element| markup(element, "") + "\n").collect();
+        let [x, y] = [(index % columns) as f64 * cell[0], (index / columns) as f64 * cell[1]];
+        format!("<g transform=\"translate({x} {y})\">\n{inner}</g>")
+    };
+    let title = figures.first().map(|figure| figure.title.render(language)).unwrap_or_default();
+    document(&title, [width, height], figures.iter().enumerate().map(placed))
+}
+
 /// A figure that moves: its frames follow each other in equal times and repeat; `seconds` is the time of all.
 ///
 /// What is equal in all frames is written once; between two frames everything moves in straight lines. A frame that does

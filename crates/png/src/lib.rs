@@ -6,9 +6,7 @@ use std::sync::Arc;
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::{Error, Options, Tree, fontdb};
 
-use assur_words::{Describe, Language, Text, errors, name, number, text};
-
-use assur_figure::{Figure, svg};
+use assur_words::{Describe, Text, errors, name, number, text};
 
 /// Letters of the Latin, Greek and Cyrillic alphabets, and the signs of formulas.
 const FONT: &[u8] = include_bytes!("../font/DejaVuSans-subset.ttf");
@@ -47,12 +45,12 @@ impl Describe for PngError {
 
 errors!(PngError);
 
-/// A figure on a page of this width and height, mm, with [`PIXELS`] in a millimeter.
+/// The SVG of a page of this width and height, mm, with [`PIXELS`] in a millimeter.
 ///
 /// # Errors
 ///
 /// If the page is empty or too large.
-pub fn write(figure: &Figure, size: [f64; 2], language: &Language) -> Result<Vec<u8>, PngError> {
+pub fn write(svg: &str, size: [f64; 2]) -> Result<Vec<u8>, PngError> {
     let [width, height] = size.map(|side| (side * PIXELS).round());
     if !(width >= 1.0 && height >= 1.0 && width * height <= MOST) {
         return Err(PngError::Size(width, height));
@@ -60,7 +58,7 @@ pub fn write(figure: &Figure, size: [f64; 2], language: &Language) -> Result<Vec
     let mut fonts = fontdb::Database::new();
     fonts.load_font_data(FONT.to_vec());
     let options = Options { font_family: FAMILY.to_owned(), fontdb: Arc::new(fonts), ..Options::default() };
-    let tree = Tree::from_str(&svg::write(figure, size, language), &options).map_err(PngError::Svg)?;
+    let tree = Tree::from_str(svg, &options).map_err(PngError::Svg)?;
     let mut picture = Pixmap::new(pixels(width), pixels(height)).ok_or(PngError::Size(width, height))?;
     let page = tree.size();
     let (across, down) = (pixels(width) as f32 / page.width(), pixels(height) as f32 / page.height());

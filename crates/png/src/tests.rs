@@ -1,7 +1,11 @@
-use assur_figure::{Axis, Figure, Frame, Ink, Item, Panel, Stroke};
+use assur_figure::{Axis, Figure, Frame, Ink, Item, Panel, Stroke, svg};
 use assur_words::{Language, name, unit};
 
-use super::write;
+use super::PngError;
+
+fn write(figure: &Figure, size: [f64; 2], language: &Language) -> Result<Vec<u8>, PngError> {
+    super::write(&svg::write(figure, size, language), size)
+}
 
 fn chart(title: &str, values: &[f64], floor: f64) -> Figure {
     let points: Vec<_> = values.iter().enumerate().map(|(at, value)| [at as f64, *value]).collect();

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use assur_analysis::Options;
+use assur_figure::svg;
 use assur_report::{json, text as report};
 use assur_study::chart::{self, ChartData, ChartError};
 use assur_words::{Describe, text, text_of};
@@ -67,8 +68,8 @@ pub(crate) fn run(args: &ChartArgs, style: Style) -> Result<Status, Fault> {
     }
     let status = if stopped { Status::Code(INTERRUPTED) } else { verdict.status() };
     if let Some(path) = args.output.as_deref().filter(|path| is_picture(path)) {
-        let figure = chart::figure(&data);
-        let picture = still::picture(&figure, path, PAGE, style.language).map_err(Fault::Other)?;
+        let svg = svg::write(&chart::figure(&data), PAGE, style.language);
+        let picture = still::picture(svg, path, PAGE).map_err(Fault::Other)?;
         return output.write(picture, status);
     }
     let text = match args.format {

@@ -58,7 +58,7 @@ pub(crate) fn bytes(shown: &[(Figure, Rect)], way: Pictures, cell: [f64; 2], lan
     for (figure, area) in shown {
         let mm = svg::EM / (LETTERS * cell[1]);
         let size = [f64::from(area.width) * cell[0] * mm, f64::from(area.height) * cell[1] * mm];
-        let Ok(picture) = png::write(figure, size, language) else { continue };
+        let Ok(picture) = png::write(&svg::write(figure, size, language), size) else { continue };
         let picture = STANDARD.encode(picture);
         let (columns, rows) = (area.width, area.height);
         let _ = write!(text, "\x1b[{};{}H", area.y + 1, area.x + 1);

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use assur_analysis::results::Check;
-use assur_figure::{Figure, Frame, Item};
+use assur_figure::{Figure, Frame, Item, svg};
 use assur_report::csv::{self, CsvCell};
 use assur_words::{Describe, Text, name, text};
 use crossterm::event::KeyCode;
@@ -70,7 +70,7 @@ pub(super) fn write_to(state: &mut State, path: PathBuf) {
         (_, "csv") => numbers.map(|numbers| (numbers, None)),
         (None, _) => Err(text!("say-no-picture")),
         (Some(figure), _) => {
-            let picture = picture(figure, &path, PAGE, state.language());
+            let picture = picture(svg::write(figure, PAGE, state.language()), &path, PAGE);
             picture.and_then(|picture| numbers.map(|numbers| (picture, Some(numbers))))
         }
     };

@@ -41,11 +41,11 @@ fn of_view(results: &Results, view: &str) -> Vec<(String, String)> {
     let parts = if parts.is_empty() { vec![None] } else { parts };
     let picture = |part: Option<&str>| {
         let request = PictureArgs {
-            view: picture,
+            view: Some(picture),
             part: part.map(str::to_owned),
             show: None,
             step: None,
-            position: POSITION.min(results.positions() - 1),
+            position: vec![POSITION.min(results.positions() - 1)],
             size: None,
             animate: false,
         };

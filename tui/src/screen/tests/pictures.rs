@@ -19,11 +19,11 @@ use crate::still::{self, PictureArgs, StillError};
 
 fn request(view: &str) -> PictureArgs {
     PictureArgs {
-        view: view.parse().unwrap(),
+        view: Some(view.parse().unwrap()),
         part: None,
         show: None,
         step: None,
-        position: 5,
+        position: vec![5],
         size: None,
         animate: false,
     }
@@ -58,7 +58,7 @@ fn a_request_without_a_meaning_is_refused_in_words() {
         Err(StillError::Request(text)) => text.to_string(),
         other => panic!("{other:?}"),
     };
-    assert!(refused(PictureArgs { position: 48, ..request("curves") }, "x.svg").contains("0 to 47"));
+    assert!(refused(PictureArgs { position: vec![48], ..request("curves") }, "x.svg").contains("0 to 47"));
     let part = PictureArgs { part: Some("hodgraph".into()), ..request("forces") };
     assert!(refused(part, "x.svg").contains("hodograph"));
     assert!(
@@ -99,7 +99,7 @@ fn only_a_scene_without_loads_is_told_to_have_none() {
         }) {
             for position in [0, state.positions() / 2] {
                 let part = part.map(str::to_owned);
-                let request = PictureArgs { part, position, ..request(view) };
+                let request = PictureArgs { part, position: vec![position], ..request(view) };
                 if let Err(StillError::Nothing(why)) = draw(state.scene.as_ref().unwrap(), &request) {
                     assert!(!why.to_string().contains("no loads"), "{name} {view} {request:?}: {why}");
                 }
@@ -114,7 +114,7 @@ fn only_a_scene_without_loads_is_told_to_have_none() {
     // No equilibrium without a load.
     let text = "[ground]\npoints = { O = [0, 0] }\n[link.crank]\npoints = { O = 0, A = 1 }\n[input]\nlink = \"crank\"\n";
     let state = super::scene(text);
-    match draw(state.scene.as_ref().unwrap(), &PictureArgs { position: 0, ..request("forces") }) {
+    match draw(state.scene.as_ref().unwrap(), &PictureArgs { position: vec![0], ..request("forces") }) {
         Err(StillError::Nothing(why)) => assert!(why.to_string().contains("no loads"), "{why}"),
         other => panic!("{other:?}"),
     }
@@ -159,6 +159,78 @@ fn the_press_is_drawn_with_its_contact() {
         }
     }
     assert!(!texts("slider-crank", &request("mechanism")).contains(&"K".to_owned()));
+}
+
+/// The texts of a picture of the shaper that begin so.
+fn beginning(words: &str, request: &PictureArgs) -> Vec<String> {
+    let all = texts("shaper-drive", request).into_iter();
+    all.filter(|text| text.starts_with(words)).collect()
+}
+
+#[test]
+fn force_polygons_follow_each_other_group_by_group_with_the_input_link_last() {
+    let of =
+        |show: Option<&str>, step| PictureArgs { show: show.map(str::to_owned), step, ..request("plans") };
+    let told = |request: &PictureArgs| {
+        let svg = picture(request, "x.svg").unwrap();
+        let heads =
+            ["of group 2", "of group 1", "of the input"].map(|of| svg.find(&format!("Force polygon {of}")));
+        heads.into_iter().flatten().collect::<Vec<_>>()
+    };
+    let all = told(&of(None, None));
+    assert!(all.len() == 3 && all.is_sorted(), "{all:?}");
+    assert_eq!(told(&of(None, Some(2))).len(), 2);
+    assert_eq!(told(&of(Some("group 1"), None)).len(), 1);
+    for (wrong, why) in [
+        (of(None, Some(4)), "1 to 3"),
+        (of(None, Some(0)), "1 to 3"),
+        (of(Some("group 1"), Some(1)), "--step"),
+    ] {
+        match picture(&wrong, "x.svg") {
+            Err(StillError::Request(text)) => assert!(text.to_string().contains(why), "{text}"),
+            other => panic!("{other:?}"),
+        }
+    }
+}
+
+#[test]
+fn several_positions_stand_beside_each_other_to_one_scale() {
+    let of = |position: &[usize]| PictureArgs {
+        show: Some("group 2".into()),
+        position: position.to_vec(),
+        ..request("plans")
+    };
+    // In position 35 the group has no cutting force: its polygon alone would have another scale.
+    let scale = |position: &[usize]| beginning("μ", &of(position));
+    let both = scale(&[12, 35]);
+    assert_eq!(both, [scale(&[12]), scale(&[12])].concat());
+    assert_ne!(scale(&[35]), scale(&[12]));
+    let svg = picture(&of(&[12, 35]), "x.svg").unwrap();
+    assert!(svg.starts_with("<svg") && svg.contains("width=\"320mm\" height=\"120mm\""));
+    assert!(svg.contains("translate(0 0)") && svg.contains("translate(160 0)"), "beside each other");
+    assert!(svg.find("position 12, 90 deg") < svg.find("position 35, 262.5 deg"));
+}
+
+#[test]
+fn a_strip_of_the_motion_is_drawn_by_its_name() {
+    let of = |show: &str| PictureArgs {
+        view: None,
+        part: Some("course".into()),
+        show: Some(show.into()),
+        ..request("motion")
+    };
+    let strips = |show: &str| {
+        let all = ["input speed", "moments on the input"];
+        all.map(|strip| beginning(strip, &of(show)).len())
+    };
+    assert_eq!(
+        [strips("input speed"), strips("moments"), strips("moments, input speed")],
+        [[1, 0], [0, 1], [1, 1]]
+    );
+    match picture(&of("input sped"), "x.svg") {
+        Err(StillError::Request(text)) => assert!(text.to_string().contains("input speed"), "{text}"),
+        other => panic!("{other:?}"),
+    }
 }
 
 #[test]
