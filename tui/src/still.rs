@@ -123,19 +123,14 @@ impl PictureArgs {
     }
 
     fn positions(&self, results: &Results) -> Result<Vec<usize>, Text> {
-        let number = self.show.as_ref().and_then(|sought| sought.parse().ok());
-        let wanted = number.map_or_else(|| self.position.clone(), |position| vec![position]);
-        wanted.into_iter().map(|wanted| position(results, wanted)).collect()
+        let shown = self.show.as_ref().and_then(|sought| sought.parse().ok());
+        let wanted = shown.map_or_else(|| self.position.clone(), |position| vec![position]);
+        let last = results.positions() - 1;
+        match wanted.iter().find(|position| **position > last) {
+            Some(beyond) => Err(text!("draw-no-position", position = number(*beyond), last = number(last))),
+            None => Ok(wanted),
+        }
     }
-}
-
-/// What is shown of a part by its names.
-#[derive(Default)]
-struct Choice {
-    /// Quantities that lie over each other, or one without derivatives.
-    picked: Vec<String>,
-    /// Strips; none: all.
-    panels: Vec<usize>,
 }
 
 /// Time of one turn of an animation, s.
@@ -153,7 +148,7 @@ pub(crate) fn draw(
     // A construction is drawn whole, unless a step is asked for.
     look.step = if wanted == Some(ViewPart::Construction) { usize::MAX } else { 0 };
     let part = view.part(results, &look, wanted);
-    let Choice { picked, panels } = choose(results, request, part, &mut look, language)?;
+    let (picked, panels) = choose(results, request, part, &mut look, language)?;
     look.picked = &picked;
     // Several lie over each other as curves, and have no other part.
     let several = vec![ViewPart::Overview, ViewPart::Curves];
@@ -224,24 +219,16 @@ fn no_step(step: usize, last: usize) -> Text {
     text!("draw-no-step", step = number(step), last = number(last))
 }
 
-fn position(results: &Results, wanted: usize) -> Result<usize, Text> {
-    let last = results.positions() - 1;
-    if wanted <= last {
-        return Ok(wanted);
-    }
-    Err(text!("draw-no-position", position = number(wanted), last = number(last)))
-}
-
-/// Chooses what is to be shown by its name.
+/// Chooses what is to be shown by its name: the quantities that lie over each other, or one without derivatives; and strips.
 fn choose(
     results: &Results,
     request: &PictureArgs,
     part: ViewPart,
     look: &mut Look<'_>,
     language: &Language,
-) -> Result<Choice, Text> {
-    let (view, mut choice) = (request.view(), Choice::default());
-    let Some(sought) = request.sought() else { return Ok(choice) };
+) -> Result<(Vec<String>, Vec<usize>), Text> {
+    let (view, mut picked, mut panels) = (request.view(), Vec::new(), Vec::new());
+    let Some(sought) = request.sought() else { return Ok((picked, panels)) };
     let (is_curves, is_forces) = (view == Picture::Curves, view == Picture::Forces);
     let is_strips = matches!(view, Picture::Motion | Picture::Drive);
     let is_list = is_curves || is_forces || is_strips;
@@ -256,7 +243,7 @@ fn choose(
         look.column = 0;
         let found = if is_strips {
             let strip = find::by_name(&strips, strips.len().saturating_sub(1), one);
-            choice.panels.extend(strip);
+            panels.extend(strip);
             strip.map(|_| ()).ok_or_else(|| strips.concat())
         } else {
             look.choose(results, (view, part), one, |text| text.render(language))
@@ -271,16 +258,15 @@ fn choose(
             _ => Some(look.column)
                 .filter(|column| is_curves && (all.len() > 1 || results.transfer_of(*column).is_none())),
         };
-        choice.picked.extend(column.and_then(|column| Some(results.column(column)?.short.clone())));
+        picked.extend(column.and_then(|column| Some(results.column(column)?.short.clone())));
     }
-    Ok(choice)
+    Ok((picked, panels))
 }
 
 /// A step of the construction that is shown, counted from 1, as a step of all constructions.
 fn step_of(results: &Results, look: &Look<'_>, of: ViewPart, step: usize) -> Result<usize, Text> {
     let plans = results.found.as_ref().map(|found| found.plans.at(look.position));
-    let is_drawn = of == ViewPart::Construction;
-    let Some(plans) = plans.filter(|plans| is_drawn && plans.step_count() > 0) else {
+    let Some(plans) = plans.filter(|plans| of == ViewPart::Construction && plans.step_count() > 0) else {
         let options = name("--view plans --part construction");
         return Err(text!("draw-step-of-construction", step = name("--step"), options = options));
     };

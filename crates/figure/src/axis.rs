@@ -81,7 +81,7 @@ impl Axis {
         }
     }
 
-    /// At most this many round values within the range, with their texts.
+    /// At most this many round values within the range, with their texts; powers of ten at least at every fifth.
     pub fn ticks(&self, most: usize) -> Vec<(f64, Text)> {
         let [low, high] =
             if self.kind == AxisKind::Logarithmic { self.range.map(f64::log10) } else { self.range };
@@ -107,7 +107,7 @@ impl Axis {
     /// The least round step that is not below another one.
     fn step(&self, least: f64) -> f64 {
         match self.kind {
-            AxisKind::Logarithmic => least.ceil().max(1.0),
+            AxisKind::Logarithmic => least.ceil().clamp(1.0, 5.0),
             AxisKind::Whole if least < 1.0 => 1.0,
             AxisKind::Degrees if (1.0..=180.0).contains(&least) => {
                 ANGLES.into_iter().find(|step| *step >= least).unwrap_or(180.0)

@@ -54,6 +54,16 @@ fn ticks_have_the_digits_of_their_step() {
 }
 
 #[test]
+fn powers_of_ten_have_numbers_at_every_fifth_at_least_and_all_are_written_alike() {
+    let decades = |most| texts(AxisKind::Logarithmic, [1e-17, 1e6], most);
+    assert_eq!(decades(100)[..3], ["1e-17", "1e-16", "1e-15"]);
+    assert_eq!(decades(100)[16..19], ["1e-1", "1e0", "1e1"]);
+    for most in [1, 2, 3, 5] {
+        assert_eq!(decades(most), ["1e-15", "1e-10", "1e-5", "1e0", "1e5"], "{most}");
+    }
+}
+
+#[test]
 fn other_ticks_are_round() {
     assert_eq!(texts(AxisKind::Linear, [-0.13, 0.12], 5), ["-0.10", "-0.05", "0", "0.05", "0.10"]);
     assert_eq!(texts(AxisKind::Linear, [3.0, 3.0], 5), Vec::<String>::new());

@@ -86,21 +86,24 @@ pub(super) fn draw(panel: &Panel, shows_axis: bool, [width, height]: [u16; 2], l
     spots
 }
 
-/// Rows of the plot: the greatest value in the first one, the least in the last one, zero between them.
+/// Rows of the plot: the greatest value in the first one, the least in the last one, zero between them; or powers of ten.
 fn vertical(map: &Map<'_>, language: &Language) -> Vec<Spot> {
     let rows = map.size[1];
     let [low, high] = map.y.range;
-    let mut labels = vec![(0, high), (rows.saturating_sub(1), low)];
-    labels.retain(|_| map.y.kind != AxisKind::Unmarked);
-    let zero = short(whole(map.row(0.0).max(0.0)));
-    if low < 0.0 && high > 0.0 && zero > 0 && zero + 1 < rows {
-        labels.push((zero, 0.0));
+    let row = |value: f64| short(whole(map.row(value).max(0.0)));
+    let least = ROUNDING * low.abs().max(high.abs());
+    let plain = |value: f64| number(plain(if value.abs() <= least { 0.0 } else { value }));
+    let mut labels = vec![(0, plain(high)), (rows.saturating_sub(1), plain(low))];
+    let zero = row(0.0);
+    if matches!(map.y.kind, AxisKind::Logarithmic | AxisKind::Unmarked) {
+        let ticks = map.y.ticks(usize::from(rows / 2)).into_iter();
+        labels = ticks.map(|(at, text)| (row(at).min(rows.saturating_sub(1)), text)).collect();
+    } else if low < 0.0 && high > 0.0 && zero > 0 && zero + 1 < rows {
+        labels.push((zero, plain(0.0)));
     }
-    // Where equal ratios are drawn, a small number is as good as a great one.
-    let least = if map.y.kind == AxisKind::Logarithmic { 0.0 } else { ROUNDING * low.abs().max(high.abs()) };
     let line = (0..rows).map(|row| Spot { column: LABELS - 1, row, text: "│".to_owned(), ink: Ink::Text });
-    let numbers = labels.into_iter().map(|(row, value)| {
-        let text = number(plain(if value.abs() <= least { 0.0 } else { value })).render(language);
+    let numbers = labels.into_iter().map(|(row, number)| {
+        let text = number.render(language);
         let column = LABELS.saturating_sub(short(text.width()) + 1);
         Spot { column, row, text, ink: Ink::Text }
     });

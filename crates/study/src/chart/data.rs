@@ -106,6 +106,17 @@ impl Setting {
         Self(vec![(name, SettingValue::Word(value))])
     }
 
+    /// Its values alone, for a point of a chart.
+    pub(crate) fn values(&self) -> Text {
+        joined(
+            " ",
+            self.0.iter().filter(|(name, _)| *name != GIVES).map(|(_, value)| match *value {
+                SettingValue::Number(value) => short(value),
+                SettingValue::Word(word) => name(word),
+            }),
+        )
+    }
+
     /// The value of this name.
     pub fn get(&self, name: &str) -> Option<SettingValue> {
         self.0.iter().find(|(found, _)| *found == name).map(|(_, value)| *value)
@@ -161,6 +172,8 @@ pub struct Measurement {
     pub setting: Setting,
     /// Median time of one unit of work, s; `None` where it was not measured.
     pub seconds: Option<f64>,
+    /// By how much its timings differ from the median, in the middle, s.
+    pub noise: Option<f64>,
     /// What one unit is: see [`Stage::unit`].
     pub unit: Text,
     /// Evaluations in one unit: group solutions in a position, evaluations of the equation of motion in a run.
@@ -173,8 +186,8 @@ pub struct Measurement {
     pub ok: bool,
     /// Why not, or why something is missing.
     pub reason: Option<Text>,
-    /// Whether it is on the Pareto front of its stage: no other row that does the whole work is both faster and more
-    /// exact.
+    /// Whether it is on the Pareto front of its stage: no other row that does the whole work is both faster, beyond the noise
+    /// of the times, and more exact.
     pub front: bool,
     /// Whether it is the program's own choice for the motion with this tolerance.
     pub auto: bool,
@@ -215,7 +228,7 @@ impl ChartData {
 }
 
 const HEADER: &str =
-    "stage method setting value seconds_s unit evaluations error at_most ok front auto reason";
+    "stage method setting value seconds_s noise_s unit evaluations error at_most ok front auto reason";
 
 /// All rows, comma separated, full precision; an empty field where nothing is known.
 pub fn csv(data: &ChartData) -> Result<String, CsvError> {
@@ -227,7 +240,7 @@ pub fn csv(data: &ChartData) -> Result<String, CsvError> {
     finished(writer)
 }
 
-fn fields(row: &Measurement) -> [String; 13] {
+fn fields(row: &Measurement) -> [String; 14] {
     let (names, values): (Vec<&str>, Vec<String>) = row
         .setting
         .0
@@ -244,6 +257,7 @@ fn fields(row: &Measurement) -> [String; 13] {
         names.join(" "),
         values.join(" "),
         number(row.seconds),
+        number(row.noise),
         row.unit.to_string(),
         row.evaluations.map_or_else(String::new, |count| count.to_string()),
         number(row.error),

@@ -101,6 +101,14 @@ fn panel(data: &ChartData, stage: Stage) -> Option<Panel> {
         items.extend(exact.map(|at| Item::name(at, name((*method).to_owned()), ink)));
         items.push(Item::line(points, Stroke::Solid, ink));
     }
+    // Where a method has several settings, they stand in the room that the names leave.
+    let several = |row: &Measurement| rows.iter().filter(|(other, _)| other.method == row.method).count() > 1;
+    items.extend(rows.iter().filter(|(row, _)| several(row)).map(|(row, at)| Item::Name {
+        at: *at,
+        text: row.setting.values(),
+        ink: Ink::Dim,
+        needed: false,
+    }));
     let mut front: Vec<Point> = rows.iter().filter(|(row, _)| row.front).map(|(_, place)| *place).collect();
     front.sort_by(|one, other| one[0].total_cmp(&other[0]));
     items.push(Item::line(front, Stroke::Chain, Ink::Text));

@@ -66,7 +66,11 @@ impl Judge<'_> {
             self.round(&mut timings, round, most);
         }
         for timing in timings {
-            timing.entry.row.seconds = median(timing.times).map(|time| time / timing.entry.units);
+            let Timed { entry, times, .. } = timing;
+            let found = median(times.clone());
+            let noise =
+                found.and_then(|found| median(times.iter().map(|time| (time - found).abs()).collect()));
+            [entry.row.seconds, entry.row.noise] = [found, noise].map(|time| Some(time? / entry.units));
         }
         entries.into_iter().map(|entry| entry.row).collect()
     }

@@ -179,34 +179,28 @@ impl Charting<'_> {
     }
 }
 
-/// Indices of the points for which no other point is better in both coordinates (smaller is better), from the fastest
-/// to the most exact. Of equal points the first is on the front.
-pub(crate) fn front(points: &[(f64, f64)]) -> Vec<usize> {
-    let mut order: Vec<usize> = (0..points.len()).collect();
-    order.sort_by(|a, b| {
-        let ((xa, ya), (xb, yb)) = (points[*a], points[*b]);
-        xa.total_cmp(&xb).then(ya.total_cmp(&yb)).then(a.cmp(b))
-    });
-    let mut least = f64::INFINITY;
-    order.retain(|index| {
-        let better = points[*index].1 < least;
-        least = least.min(points[*index].1);
-        better
-    });
-    order
+/// Indices of the points that no other one beats. A point is its time, the noise of that, and its error; times that differ by no
+/// more than both noises are equal, so that all that are equally fast and exact share the front.
+pub(crate) fn front(points: &[[f64; 3]]) -> Vec<usize> {
+    let beats = |[time, noise, error]: [f64; 3], other: [f64; 3]| {
+        let (gained, noise) = (other[0] - time, noise + other[1]);
+        error < other[2] && gained >= -noise || error <= other[2] && gained > noise
+    };
+    let is_beaten = |own: &usize| points.iter().any(|other| beats(*other, points[*own]));
+    (0..points.len()).filter(|own| !is_beaten(own)).collect()
 }
 
 pub(crate) fn mark(rows: &mut [Measurement]) {
     for stage in Stage::ALL {
-        let known: Vec<(usize, (f64, f64))> = rows
-            .iter()
-            .enumerate()
-            .filter(|(_, row)| row.stage == stage && row.whole())
-            .filter_map(|(index, row)| Some((index, row.point()?)))
+        let mut known: Vec<&mut Measurement> = rows
+            .iter_mut()
+            .filter(|row| row.stage == stage && row.whole() && row.point().is_some())
             .collect();
-        let points: Vec<(f64, f64)> = known.iter().map(|(_, point)| *point).collect();
+        let point =
+            |row: &&mut Measurement| [row.seconds, row.noise, row.error].map(Option::unwrap_or_default);
+        let points: Vec<[f64; 3]> = known.iter().map(point).collect();
         for index in front(&points) {
-            rows[known[index].0].front = true;
+            known[index].front = true;
         }
     }
 }

@@ -100,6 +100,18 @@ fn text_and_csv() {
         plain.lines().filter(|line| line.contains(" |")).all(|line| line.chars().count() <= 100),
         "{plain}"
     );
+    // Numbers of the error stand at powers of ten, at every fifth at least.
+    for drawn in plain.split("relative error over time").skip(1) {
+        let rows = drawn
+            .lines()
+            .filter_map(|line| Some(line.split_once('|')?.0.trim()))
+            .filter(|told| !told.is_empty());
+        let decades: Vec<i32> = rows.map(|told| told.strip_prefix("1e").unwrap().parse().unwrap()).collect();
+        assert!(
+            decades.len() >= 2 && decades.windows(2).all(|two| (1..=5).contains(&(two[0] - two[1]))),
+            "{plain}"
+        );
+    }
     let table = csv(&data).unwrap();
     assert_eq!(table.lines().count(), data.rows.len() + 1);
 }
@@ -135,23 +147,33 @@ fn a_figure_holds_every_point() {
 
 #[test]
 fn the_front_of_known_points() {
-    // Fast and rough, middling, beaten by the middling one, slow and exact, equal to the first.
+    // Fast and rough, middling, beaten by the middling one, slow and exact, equal to the first, beaten by the exact one.
     let points = [(1.0, 9.0), (3.0, 4.0), (4.0, 4.0), (8.0, 1.0), (1.0, 9.0), (9.0, 2.0)];
-    assert_eq!(front(&points), [0, 1, 3]);
+    let of = |noise: f64| points.map(|(time, error)| [time, noise, error]);
+    assert_eq!(front(&of(0.0)), [0, 1, 3, 4]);
     assert_eq!(front(&[]), [0_usize; 0]);
-    assert_eq!(front(&[(2.0, 5.0), (1.0, 5.0)]), [1]);
+    // Where times of 3 and 4 are the same within their noise, both are on the front.
+    assert_eq!(front(&of(0.49)), [0, 1, 3, 4]);
+    assert_eq!(front(&of(0.51)), [0, 1, 2, 3, 4]);
+    // Of equally fast ones the more exact one is better.
+    assert_eq!(front(&[[1.0, 0.1, 3.0], [1.1, 0.1, 2.0], [1.05, 0.1, 2.0]]), [1, 2]);
 }
 
 proptest! {
     #[test]
-    fn nothing_beats_the_front(points in prop::collection::vec((0.0..10.0, 0.0..10.0), 1..40)) {
+    fn what_is_beaten_beyond_the_noise_is_beaten_by_the_front(
+        points in prop::collection::vec((0.0..10.0, 0.0..1.0, 0_u8..6), 1..40)
+    ) {
+        let points: Vec<[f64; 3]> = points.into_iter().map(|(t, noise, e)| [t, noise, f64::from(e)]).collect();
         let found = front(&points);
-        let beats = |a: (f64, f64), b: (f64, f64)| a.0 <= b.0 && a.1 <= b.1 && a != b;
-        for (index, point) in points.iter().enumerate() {
-            let beaten = points.iter().any(|other| beats(*other, *point));
-            let twin = points[..index].contains(point);
-            prop_assert_eq!(found.contains(&index), !beaten && !twin);
+        prop_assert!(!found.is_empty());
+        for (index, [time, noise, error]) in points.iter().enumerate() {
+            // Anything that is slower than one of the front beyond doubt and no more exact is left out, and nothing is left out
+            // but by one of no greater error.
+            let beaten = found.iter().any(|own| points[*own][0] + points[*own][1] + noise < *time && points[*own][2] <= *error);
+            prop_assert!(!(beaten && found.contains(&index)));
+            let better = points.iter().any(|other| other[2] <= *error && other[0] - other[1] <= time + noise && other != &points[index]);
+            prop_assert!(better || found.contains(&index));
         }
-        prop_assert!(found.windows(2).all(|two| points[two[0]].0 < points[two[1]].0));
     }
 }

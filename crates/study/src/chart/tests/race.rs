@@ -37,9 +37,29 @@ fn methods_take_turns_and_the_median_counts() {
     let rows = judge.race(Stage::Motion, field);
     assert_eq!(*log.borrow(), "abababababab"[..10].to_owned());
     assert!((rows[0].seconds.unwrap() - 0.1).abs() < 1e-12, "{rows:?}");
+    // The middle one of 0.8, 0, 0, 0, 0 is the noise.
+    assert!(rows[0].noise.unwrap() < 1e-12, "{rows:?}");
     // Two units of work in one run.
     assert!((rows[1].seconds.unwrap() - 0.1).abs() < 1e-12, "{rows:?}");
     assert!(rows.iter().all(|row| row.ok && row.evaluations == Some(7) && !row.at_most));
+}
+
+#[test]
+fn the_noise_is_the_median_deviation_from_the_median() {
+    let (now, log) = (RefCell::new(0.0), RefCell::new(String::new()));
+    // The first run is judged and counts as one timing.
+    let times = vec![0.10, 0.13, 0.12, 0.16, 0.30];
+    let entry = Entry { units: 2.0, ..slow('a', times, &now, &log) };
+    let field = Field { reference: Reference { how: Text::default(), error: 1e-12 }, entries: vec![entry] };
+    let options = ChartOptions { stage_seconds: 1.0, rounds: 4, ..ChartOptions::THOROUGH };
+    let mut go_on = |_: Progress| ControlFlow::Continue(());
+    let mut clock = || *now.borrow();
+    let mut judge = Judge { clock: &mut clock, options, progress: &mut go_on, start: 0.0, stopped: false };
+    let rows = judge.race(Stage::Motion, field);
+    assert_eq!(log.borrow().len(), 5);
+    // Median 0.13; the others are off by 0.03, 0.01, 0.03, 0.17.
+    assert!((rows[0].seconds.unwrap() - 0.065).abs() < 1e-12, "{rows:?}");
+    assert!((rows[0].noise.unwrap() - 0.015).abs() < 1e-12, "{rows:?}");
 }
 
 #[test]
