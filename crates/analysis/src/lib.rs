@@ -30,7 +30,6 @@ mod progress;
 mod proof;
 pub mod results;
 mod several;
-mod stops;
 mod trajectory;
 mod warnings;
 

@@ -30,15 +30,11 @@ impl Calculation {
         // An error names the number of the position.
         self.linkage.solve_index(index, Order::Place, &mut self.linkage.position())?;
         let state = self.state(self.linkage.mechanism.input.coordinate(index));
-        self.sheet_of(&state, self.positions_have_forces())
+        self.sheet_in(&state, self.positions_have_forces())
     }
 
-    /// The plans of a sample of a transient motion.
-    pub fn sheet_of_sample(&self, state: &LoadState) -> Result<PlanSheet, DiagramError> {
-        self.sheet_of(state, true)
-    }
-
-    fn sheet_of(&self, state: &LoadState, has_forces: bool) -> Result<PlanSheet, DiagramError> {
+    /// All plans in a state of the motion, of forces where it has some.
+    pub fn sheet_in(&self, state: &LoadState, has_forces: bool) -> Result<PlanSheet, DiagramError> {
         // At rest the plans are those for unit speed.
         let moves = state.speed != 0.0 || state.acceleration != 0.0;
         let own;
@@ -60,15 +56,14 @@ impl Calculation {
     pub fn constructions(&self, index: usize) -> Result<Vec<(&'static str, Construction)>, DiagramError> {
         let mut position = self.linkage.position();
         self.linkage.solve_index(index, Order::Second, &mut position)?;
-        let Some(loads) = self.loads.as_ref().filter(|_| self.positions_have_forces()) else {
+        if !self.positions_have_forces() {
             return Ok(Vec::new());
-        };
-        let state = self.state(position.coordinate);
-        constructions(&self.linkage, &position, &loads.acting(&state, &position.bodies))
+        }
+        self.constructions_in(&self.state(position.coordinate))
     }
 
-    /// The same of a sample of a transient motion.
-    pub fn constructions_of_sample(
+    /// The same in a state of the motion that has forces.
+    pub fn constructions_in(
         &self,
         state: &LoadState,
     ) -> Result<Vec<(&'static str, Construction)>, DiagramError> {

@@ -47,8 +47,6 @@ regime-energies = energies, J
 motion-loads = moments of the loads on the input
 motion-forces = forces of the loads on the input
 motion-coordinate = coordinate
-motion-speed = speed
-motion-acceleration = acceleration
 motion-time = time, s
 regime-against = { $load }, against the motion
 regime-excess-area = A* = { $work }

@@ -47,8 +47,6 @@ regime-energies = энергии, Дж
 motion-loads = моменты нагрузок, приведённые к входному звену
 motion-forces = силы нагрузок, приведённые к входному звену
 motion-coordinate = координата
-motion-speed = скорость
-motion-acceleration = ускорение
 motion-time = время, с
 regime-against = { $load }, против движения
 regime-excess-area = A* = { $work }

@@ -47,8 +47,6 @@ regime-energies = енергії, Дж
 motion-loads = моменти навантажень, зведені до вхідної ланки
 motion-forces = сили навантажень, зведені до вхідної ланки
 motion-coordinate = координата
-motion-speed = швидкість
-motion-acceleration = прискорення
 motion-time = час, с
 regime-against = { $load }, проти руху
 regime-excess-area = A* = { $work }

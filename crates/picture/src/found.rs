@@ -40,8 +40,6 @@ pub struct Found {
     pub results: Vec<(About, Fact)>,
     /// What happens over the cycle.
     pub events: Vec<Event>,
-    /// What there was just before the samples at which the motion comes to rest.
-    pub stops: Table,
     /// Every quantity of the results over the positions.
     pub series: Vec<Series>,
     /// Reactions, and the balancing load as the last.
@@ -70,7 +68,6 @@ impl Found {
         let mut results = topic::results(&analysis, &calculation.linkage);
         // The view of the structure has it.
         results.retain(|(_, fact)| fact.id != "fact-formula");
-        let stops = calculation.stops();
         let events = topic::events(&analysis, &assur_analysis::modes(&linkage));
         // The whole mechanism is checked and has plans, whatever results the scene requests.
         let whole =
@@ -96,7 +93,6 @@ impl Found {
             edges,
             results,
             events,
-            stops,
             series,
             reactions,
             plans,

@@ -2,10 +2,9 @@
 
 use assur_analysis::results::{Column, Owner, Quantity};
 use assur_book::{Course, Unit, catalogue};
-use assur_figure::number::number;
-use assur_figure::{Axis, Cursor, Figure, Panel};
+use assur_figure::{Axis, Figure, Ink, Panel, Stroke};
 use assur_report::topic;
-use assur_words::{self as words, Text, joined, list, quantity, text};
+use assur_words::{self as words, Text, joined, list, text};
 
 use crate::{Found, Look, Results, ViewPart, curves, in_a_line, plots, reduction, regime};
 
@@ -17,7 +16,7 @@ pub fn figure(results: &Results, look: &Look<'_>, part: ViewPart, most: usize) -
         (_, ViewPart::Reduction) => reduction::panels(results, look, found),
         (Some(regime), ViewPart::Iteration) => regime::iteration(regime, found.linkage.angular()),
         (Some(regime), ViewPart::Course) => regime::course(found, regime, look),
-        (_, part) if part != ViewPart::Overview || found.motion.is_empty() => over_time(found, look),
+        (_, part) if part != ViewPart::Overview || found.motion.is_empty() => over_time(results, found, look),
         _ => {
             let shown = most.clamp(1, found.motion.len());
             let from_chosen = found.motion.iter().cycle().skip(look.motion % found.motion.len());
@@ -47,32 +46,22 @@ pub fn not_found(reason: &Text, between: &'static str) -> Text {
     joined(between, [text!("no-motion-found"), reason.clone()])
 }
 
-fn over_time(found: &Found, look: &Look<'_>) -> Vec<Panel> {
-    let analysis = &found.analysis;
-    let [speed, acceleration] = Unit::rates(analysis.input.angular);
-    let all = [
-        (
-            plots::coordinate_name(&found.linkage),
-            plots::raw_coordinate(&found.linkage),
-            Quantity::Transfer(0),
-        ),
-        (text!("motion-speed"), speed.name, Quantity::Velocity),
-        (text!("motion-acceleration"), acceleration.name, Quantity::Acceleration),
-    ];
-    let time = Column::TIME;
-    let Some(last) = analysis.trajectory.len().checked_sub(1) else { return Vec::new() };
-    let row = look.position.min(last);
-    let Some(now) = analysis.trajectory.get(row, time) else { return Vec::new() };
-    let times = (0..=last).filter_map(|row| analysis.trajectory.get(row, time));
-    let x = Axis::around(text!("motion-time"), times, 0.0);
-    let panel = |(told, unit, of): (Text, &'static str, Quantity)| {
-        let course = plots::sampled(found, time, of);
-        let value = course.between(now).unwrap_or(f64::NAN);
-        let cursor = Cursor { at: now, value: quantity(number(value), unit) };
-        plots::curves(told.clone(), vec![(told, course)], (x.clone(), 1.0), Some(cursor))
+fn over_time(results: &Results, found: &Found, look: &Look<'_>) -> Vec<Panel> {
+    if found.samples.is_none() {
+        return Vec::new();
+    }
+    let place = &results.series[0];
+    let heading = [plots::coordinate_name(&found.linkage), place.show(look.position)];
+    let curve = [(place, Stroke::Solid, Ink::First)];
+    let coordinate = plots::over_positions(results.base(look), heading, &curve, Vec::new());
+    let is_rate = |series: &&usize| {
+        [Quantity::Velocity, Quantity::Acceleration].contains(&found.series[**series].column.quantity)
     };
-    let energies = plots::energies(found, time, (x.clone(), 1.0), now);
-    all.map(panel).into_iter().chain(energies).chain(loads_over_way(found, row)).collect()
+    let rates: Vec<usize> = found.motion.iter().filter(is_rate).copied().collect();
+    let base = results.base(look);
+    let energies = plots::energies(found, Column::TIME, (base.axis, base.factor), base.cursor);
+    let panels = std::iter::once(coordinate).chain(curves::stack(results, look, found, None, &rates));
+    panels.chain(energies).chain(loads_over_way(found, look.position)).collect()
 }
 
 /// The moments of drive and loads, reduced to the input, over its way (E fig. 3): what drives along the motion, what resists

@@ -67,7 +67,7 @@ impl Planner {
         }
         let (sheet, constructions) = match self.calculation.sample(position).0 {
             Some(state) => {
-                (self.calculation.sheet_of_sample(&state), self.calculation.constructions_of_sample(&state))
+                (self.calculation.sheet_in(&state, true), self.calculation.constructions_in(&state))
             }
             None => (self.calculation.sheet(position), self.calculation.constructions(position)),
         };

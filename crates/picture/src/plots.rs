@@ -191,10 +191,13 @@ pub(crate) fn sampled(found: &Found, over: Column, quantity: Quantity) -> Course
 pub(crate) fn over_samples(found: &Found, over: Column, column: Column, factor: f64) -> Course {
     let point = |table: &Table, row| Some([table.get(row, over)?, factor * table.get(row, column)?]);
     let samples = &found.analysis.trajectory;
-    let points = (0..samples.len()).flat_map(|row| {
-        let before = found.stops.row_of(samples.numbers()[row]).and_then(|row| point(&found.stops, row));
-        before.into_iter().chain(point(samples, row))
-    });
+    let edges = found.samples.as_ref().map(|_| &found.edges);
+    let before = |row| {
+        let (edges, time) = (edges?, samples.get(row, Column::TIME)?);
+        let place = edges.places.iter().position(|place| place.to_bits() == time.to_bits())?;
+        point(&edges.between, edges.between.row_of(place)?)
+    };
+    let points = (0..samples.len()).flat_map(|row| before(row).into_iter().chain(point(samples, row)));
     Course::from_points(points)
 }
 

@@ -402,7 +402,7 @@ fn an_angle_and_its_derivatives_have_one_unit() {
 fn a_motion_over_time_is_shown_at_its_instants() {
     let mut state = opened("brake");
     assert_eq!((state.positions(), state.position), (101, 0));
-    let shown = |state: &State, keys: &str| {
+    let shown = |keys: &str| {
         let mut state = opened("brake");
         state.position = 20;
         press(&mut state, keys);
@@ -410,7 +410,7 @@ fn a_motion_over_time_is_shown_at_its_instants() {
     };
     state.position = 20;
     // After 10 s of 50 s: 100 - 2 t rad/s, and 100 t - t^2 = 900 rad.
-    let header = shown(&state, "1");
+    let header = shown("1");
     let degrees = crate::number::digits(900_f64.to_degrees(), 6);
     for part in ["instant 20 of 101", "10 s", &degrees, "speed 80.0000 rad/s"] {
         assert!(header.contains(part), "{part}: {header}");
@@ -423,6 +423,6 @@ fn a_motion_over_time_is_shown_at_its_instants() {
         let place = state.scene.as_ref().unwrap().coordinate(sample);
         assert!((place - (100.0 * time - time * time)).abs() < 1e-6, "{sample}: {place}");
     }
-    assert!(shown(&state, "5 Tab Tab").contains("-0.8"), "{}", shown(&state, "5 Tab Tab"));
-    assert!(shown(&state, "W").contains("working of sample 20"), "{}", shown(&state, "W"));
+    assert!(shown("5 Tab Tab").contains("-0.8"), "{}", shown("5 Tab Tab"));
+    assert!(shown("W").contains("working of sample 20"), "{}", shown("W"));
 }
