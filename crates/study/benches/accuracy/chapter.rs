@@ -33,14 +33,15 @@ fn words(data: &ChartData, stage: Stage) -> Vec<String> {
     let mut said: Vec<String> = Vec::new();
     let mut last: Option<&Measurement> = None;
     for wanted in WANTED {
-        let best = fastest(data, stage, wanted);
+        let all = fastest(data, stage, wanted);
+        let best = all.first().copied();
         match best {
             Some(row) if last.is_some_and(|last| std::ptr::eq(last, row)) => {
                 if let Some(line) = said.last_mut() {
-                    *line = sentence(row, wanted, stage);
+                    *line = sentence(&all, wanted, stage);
                 }
             }
-            Some(row) => said.push(sentence(row, wanted, stage)),
+            Some(_) => said.push(sentence(&all, wanted, stage)),
             None => {
                 said.push(format!("No method has an error below {}.", units::short(wanted)));
                 break;
@@ -52,24 +53,34 @@ fn words(data: &ChartData, stage: Stage) -> Vec<String> {
     said
 }
 
-/// The fastest row of a stage with an error of at most `wanted`.
-pub(crate) fn fastest(data: &ChartData, stage: Stage, wanted: f64) -> Option<&Measurement> {
-    let good = data
-        .of(stage)
-        .filter(|row| row.whole())
-        .filter_map(|row| Some((row, row.point()?)))
-        .filter(|(_, point)| point.1 <= wanted);
-    good.min_by(|a, b| a.1.0.total_cmp(&b.1.0)).map(|(row, _)| row)
+/// The fastest row of a stage with an error of at most `wanted`, and behind it those that are as fast within the noise of the times.
+pub(crate) fn fastest(data: &ChartData, stage: Stage, wanted: f64) -> Vec<&Measurement> {
+    let good = |row: &&Measurement| row.whole() && row.point().is_some_and(|(_, error)| error <= wanted);
+    let time = |row: &Measurement| row.seconds.unwrap_or(f64::INFINITY);
+    let noise = |row: &Measurement| row.noise.unwrap_or_default();
+    let mut all: Vec<&Measurement> = data.of(stage).filter(good).collect();
+    all.sort_by(|a, b| time(a).total_cmp(&time(b)));
+    let Some(&best) = all.first() else { return all };
+    all.retain(|row| time(row) - time(best) <= noise(row) + noise(best));
+    all
 }
 
-fn sentence(row: &Measurement, wanted: f64, stage: Stage) -> String {
+/// The methods of rows that are equally fast, each with its setting.
+pub(crate) fn names(rows: &[&Measurement]) -> String {
+    let name = |row: &&Measurement| {
+        let setting = row.setting.describe().to_string();
+        let between = if setting.is_empty() { "" } else { " " };
+        format!("`{}`{between}{setting}", row.method)
+    };
+    rows.iter().map(name).collect::<Vec<_>>().join(" or ")
+}
+
+fn sentence(rows: &[&Measurement], wanted: f64, stage: Stage) -> String {
+    let (row, [is, name]) = (rows[0], [if rows.len() > 1 { "are" } else { "is" }, &names(rows)]);
     let (seconds, error) = row.point().unwrap_or_default();
-    let setting = row.setting.describe().to_string();
-    let setting = if setting.is_empty() { setting } else { format!(" ({setting})") };
     format!(
-        "Error of {} or less: `{}`{setting} is the fastest, {} for {}, error {}.",
+        "Error of {} or less: {name} {is} the fastest, {} for {}, error {}.",
         units::short(wanted),
-        row.method,
         units::time(seconds),
         stage.work(),
         units::error(error, row.at_most),

@@ -1,15 +1,22 @@
-//! Writes `docs/accuracy.md`: speed versus accuracy of every method on every shipped scene.
+//! Writes `docs/accuracy.md` and `docs/accuracy.svg`: speed versus accuracy of every method on every shipped scene.
 
 mod chapter;
 mod summary;
 mod units;
 
 use std::ops::ControlFlow;
+use std::path::Path;
 use std::time::Instant;
 
 use assur_all as _;
+use assur_figure::svg;
 use assur_kinematics::Linkage;
-use assur_study::chart::{ChartData, ChartOptions, chart};
+use assur_study::chart::{ChartData, ChartOptions, chart, figure};
+use assur_words::Language;
+
+/// The scene whose chart is drawn, and width and height of the page, mm, as `assur chart -o` takes them.
+const DRAWN: &str = "shaper";
+const PAGE: [f64; 2] = [240.0, 200.0];
 
 /// A thorough chart of a shipped scene, or why there is none.
 fn charted(text: &str, name: &str) -> Result<ChartData, String> {
@@ -22,15 +29,18 @@ fn charted(text: &str, name: &str) -> Result<ChartData, String> {
 }
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let docs = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs");
     let mut scenes = assur_fixtures::SCENES.to_vec();
     scenes.sort_unstable();
     let (mut charts, mut chapters) = (Vec::new(), String::new());
     for (name, text) in scenes {
         let data = charted(text, name)?;
         chapters += &chapter::chapter(&data, &format!("fixtures/{name}.toml"));
+        if name == DRAWN {
+            std::fs::write(docs.join("accuracy.svg"), svg::write(&figure(&data), PAGE, Language::english()))?;
+        }
         charts.push(data);
     }
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/accuracy.md");
-    std::fs::write(path, summary::summary(&charts, &chapters))?;
+    std::fs::write(docs.join("accuracy.md"), summary::summary(&charts, &chapters))?;
     Ok(())
 }

@@ -1,11 +1,11 @@
 //! The page on all scenes: the fastest method for each accuracy, the choice of `auto`, then a chapter on each.
 
+use std::collections::BTreeSet;
 use std::fmt::Write;
 
 use assur_study::chart::{ChartData, Measurement, SettingValue, Stage};
-use assur_words::Describe;
 
-use crate::chapter::fastest;
+use crate::chapter::{fastest, names};
 use crate::units;
 
 /// Errors for which the summary gives the fastest method.
@@ -23,7 +23,8 @@ cargo bench -p assur-study --bench accuracy
 Every method of every stage did the same work; times are medians of runs that took turns in one process, on one machine:
 compare them with one another, not with another machine. Errors are the largest deviation from a reference that is better than
 what it judges, relative to the largest value of the same quantity. `≤` stands before the reference's own error estimate
-where a method comes below it. The tables here have the Pareto fronts; `assur chart SCENE` prints every row, and
+where a method comes below it. Times that differ by no more than their noise (the median deviation of the runs from the median)
+are the same: such methods share the front. The tables here have the Pareto fronts; `assur chart SCENE` prints every row, and
 `assur chart SCENE -o x.svg` draws error over time with the front of each stage, here of `fixtures/shaper.toml`:
 
 ![Error over time of the methods for the shaper](accuracy.svg)
@@ -52,7 +53,29 @@ pub(crate) fn summary(charts: &[ChartData], chapters: &str) -> String {
         }
     }
     text += &automatic(charts);
+    text += &methods(charts);
     format!("{text}\n{chapters}")
+}
+
+/// Every method of every stage: in how many scenes it did the work, was on the front, could not.
+fn methods(charts: &[ChartData]) -> String {
+    let mut text = "\n### All methods\n\nIn how many scenes each does all of the work, is on the Pareto front, and can't.\n\n\
+                    | stage | method | does | on the front | can't |\n| --- | --- | ---: | ---: | ---: |\n"
+        .to_owned();
+    for stage in Stage::ALL {
+        let rows = charts.iter().flat_map(|data| data.of(stage));
+        let all: BTreeSet<&str> = rows.map(|row| row.method.as_str()).collect();
+        for method in all {
+            let scenes = |is: fn(&Measurement) -> bool| {
+                let has = |data: &&ChartData| data.of(stage).any(|row| row.method == method && is(row));
+                charts.iter().filter(has).count()
+            };
+            let [there, does, front] = [scenes(|_| true), scenes(|row| row.ok), scenes(|row| row.front)];
+            let _ =
+                writeln!(text, "| {} | `{method}` | {does} | {front} | {} |", stage.heading(), there - does);
+        }
+    }
+    text
 }
 
 /// The choice of `auto`, and its time against the fastest method that meets the tolerance.
@@ -84,17 +107,11 @@ fn automatic(charts: &[ChartData]) -> String {
 fn line(data: &ChartData, stage: Stage) -> String {
     let mut line = format!("| {} |", data.title);
     for wanted in WANTED {
-        line += &fastest(data, stage, wanted)
-            .map_or_else(|| " none |".to_owned(), |row| format!(" {} |", cell(row)));
+        let all = fastest(data, stage, wanted);
+        let time = all.first().and_then(|row| row.seconds).map(units::time);
+        line += &time.map_or_else(|| " none |".to_owned(), |time| format!(" {}: {time} |", names(&all)));
     }
     line + "\n"
-}
-
-fn cell(row: &Measurement) -> String {
-    let time = row.seconds.map_or_else(String::new, |seconds| units::time(seconds).to_string());
-    let setting = row.setting.describe().to_string();
-    let between = if setting.is_empty() { "" } else { " " };
-    format!("`{}`{between}{setting}: {time}", row.method)
 }
 
 /// The choice of `auto` for this tolerance, and its time over that of the fastest row that meets it.
@@ -104,6 +121,6 @@ fn against_best(data: &ChartData, tolerance: f64) -> Option<(&Measurement, f64)>
         _ => true,
     };
     let own = data.of(Stage::Motion).filter(|row| row.auto).find(is_asked)?;
-    let best = fastest(data, Stage::Motion, tolerance)?;
+    let best = *fastest(data, Stage::Motion, tolerance).first()?;
     Some((own, own.seconds? / best.seconds?))
 }

@@ -4,5 +4,6 @@ mod auto;
 mod forms;
 mod judged;
 mod orders;
+mod page;
 mod race;
 mod scenes;

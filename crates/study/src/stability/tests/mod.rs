@@ -12,6 +12,7 @@ mod near;
 mod page;
 mod scales;
 mod scene;
+mod shipped;
 mod turns;
 mod walk_group;
 

@@ -1,14 +1,15 @@
 //! Writes `docs/stability.md` from the rows of the bench.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
+use assur_check::Finding;
 use assur_structure::Structure;
 use assur_testkit::specimen::{Recipe, kinds};
 use assur_words::text;
 
 use super::bench::{MOST_TURNS, sections};
-use super::{Section, walk_group};
+use super::{Section, shipped, walk_group};
 use crate::stability::Comparison;
 
 const ABOUT: &str = "\
@@ -22,10 +23,12 @@ cargo test -p assur-study -- --ignored write_docs_stability
 
 Each method is put at distances from a singular position and compared with a computation in about 32 digits from the same
 numbers, or with a closed form. A figure in a table is the number of right decimal digits at the distance at the head of its
-column, of the worst number; 16 are all that an f64 has. A dash stands where the method refuses: it says that it has no answer. The
+column, of the worst number (a shipped scene has all of its walks and numbers in one line); 16 are all that an f64 has. A dash stands where the method refuses: it says that it has no answer. The
 *factor* is the largest error over the error that a backward-stable method may have there (the bound of the section): up to 1
 the method loses no more than the data themselves lose by their rounding.
 ";
+
+const PAGE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/stability.md");
 
 /// Most columns of distances in a table.
 const MOST_COLUMNS: usize = 8;
@@ -141,8 +144,8 @@ fn chapter(sections: &[&Section]) -> String {
     text
 }
 
-/// The whole page. Sections of one name make one chapter.
-fn page(sections: &[Section]) -> String {
+/// The whole page. Sections of one name make one chapter; `without`: the scenes that have no walk.
+fn page(sections: &[Section], without: &[String]) -> String {
     let rows: Vec<&Comparison> = sections.iter().flat_map(|section| &section.rows).collect();
     let failed = rows.iter().filter(|row| row.finding.failed()).count();
     let mut text = ABOUT.to_owned();
@@ -153,6 +156,11 @@ fn page(sections: &[Section]) -> String {
         rows.len() - failed
     )
     .unwrap();
+    for row in rows.iter().filter(|row| row.finding.failed()) {
+        let Finding { place, why, .. } = &row.finding;
+        writeln!(text, "\n* {place}, `{}`, {} at {:.0e}: {why}", row.method, row.quantity, row.distance)
+            .unwrap();
+    }
     let mut names: Vec<&str> = Vec::new();
     for section in sections {
         if !names.contains(&section.law.section) {
@@ -162,6 +170,9 @@ fn page(sections: &[Section]) -> String {
             text += &chapter(&alike);
         }
     }
+    if !without.is_empty() {
+        writeln!(text, "\nWithout a group, and so without a walk: {}.", without.join(", ")).unwrap();
+    }
     text
 }
 
@@ -170,8 +181,9 @@ fn page(sections: &[Section]) -> String {
 fn write_docs_stability() {
     let mut all = vec![groups()];
     all.extend(sections(MOST_TURNS));
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/stability.md");
-    std::fs::write(path, page(&all)).unwrap();
+    let (shipped, without) = shipped::sections();
+    all.extend(shipped);
+    std::fs::write(PAGE, page(&all, &without)).unwrap();
 }
 
 #[test]
@@ -189,7 +201,29 @@ fn the_page_has_a_line_for_each_walk_and_method() {
         .collect();
     walks.sort();
     walks.dedup();
-    let page = page(&[section]);
+    let page = page(&[section], &[]);
     assert_eq!(page.lines().filter(|line| line.starts_with("| ") && line.contains('`')).count(), walks.len());
     assert!(page.contains("0 do not.") && page.contains("Refusals"), "{page}");
+}
+
+/// A new fixture or plugin needs a row: the page is written again then.
+#[test]
+fn the_page_names_the_shipped_scenes_and_the_registered_methods_and_no_others() {
+    /// Methods of this crate and of crates without a registry.
+    const OWN: [&str; 5] =
+        ["closed forms", "differences-2", "differences-4", "general (linear system)", "shooting"];
+    let page = std::fs::read_to_string(PAGE).unwrap();
+    let quoted = |text: &str| text.split('`').skip(1).step_by(2).map(str::to_owned).collect::<Vec<_>>();
+    let files: BTreeSet<String> =
+        quoted(&page.replace("```", "")).into_iter().filter(|quoted| quoted.ends_with(".toml")).collect();
+    let shipped = assur_fixtures::SCENES.iter().map(|(name, _)| format!("fixtures/{name}.toml")).collect();
+    assert_eq!(files, shipped);
+    let rows = page.lines().filter_map(|line| line.strip_prefix("| ")?.split(" | ").nth(1));
+    let methods: BTreeSet<String> = rows.flat_map(quoted).collect();
+    let groups = assur_group::groups().unwrap().into_iter().map(|plugin| plugin.name);
+    let analyzers = assur_force::analyzers().unwrap().into_iter();
+    let analyzers = analyzers.filter(|plugin| plugin.gives_reactions).map(|plugin| plugin.name);
+    let integrators = assur_integrator::integrators().unwrap().into_iter().map(|plugin| plugin.name);
+    let registered = groups.chain(analyzers).chain(integrators).chain(OWN).map(str::to_owned).collect();
+    assert_eq!(methods, registered);
 }
