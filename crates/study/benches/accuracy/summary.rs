@@ -23,8 +23,8 @@ cargo bench -p assur-study --bench accuracy
 Every method of every stage did the same work; times are medians of runs that took turns in one process, on one machine:
 compare them with one another, not with another machine. Errors are the largest deviation from a reference that is better than
 what it judges, relative to the largest value of the same quantity. `≤` stands before the reference's own error estimate
-where a method comes below it. Times that differ by no more than their noise (the median deviation of the runs from the median)
-are the same: such methods share the front. The tables here have the Pareto fronts; `assur chart SCENE` prints every row, and
+where a method comes below it. Times that differ by no more than their noise (of each the median deviation of the runs from the median, at least 3 % for the
+place in memory) are the same: such methods share the front. The tables here have the Pareto fronts; `assur chart SCENE` prints every row, and
 `assur chart SCENE -o x.svg` draws error over time with the front of each stage, here of `fixtures/shaper.toml`:
 
 ![Error over time of the methods for the shaper](accuracy.svg)

@@ -172,7 +172,7 @@ pub struct Measurement {
     pub setting: Setting,
     /// Median time of one unit of work, s; `None` where it was not measured.
     pub seconds: Option<f64>,
-    /// By how much its timings differ from the median, in the middle, s.
+    /// Median deviation of its timings from the median, and at least what the place in memory makes of it, s.
     pub noise: Option<f64>,
     /// What one unit is: see [`Stage::unit`].
     pub unit: Text,

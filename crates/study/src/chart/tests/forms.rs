@@ -172,7 +172,9 @@ proptest! {
             // but by one of no greater error.
             let beaten = found.iter().any(|own| points[*own][0] + points[*own][1] + noise < *time && points[*own][2] <= *error);
             prop_assert!(!(beaten && found.contains(&index)));
-            let better = points.iter().any(|other| other[2] <= *error && other[0] - other[1] <= time + noise && other != &points[index]);
+            let better = points.iter().enumerate().any(|(own, other)| {
+                own != index && other[2] <= *error && other[0] - other[1] <= time + noise
+            });
             prop_assert!(better || found.contains(&index));
         }
     }

@@ -43,7 +43,9 @@ fn places(linkage: &Linkage) -> Vec<Target> {
 fn walks(linkage: &Linkage, places: &[Target]) -> Vec<Comparison> {
     let mut rows = Vec::new();
     if let Some(walk) = Walk::new(linkage) {
-        places.iter().for_each(|place| walk.to(place, &mut rows));
+        for place in places {
+            walk.to(place, &mut rows);
+        }
     }
     rows
 }
@@ -90,9 +92,9 @@ pub(super) fn sections() -> (Vec<Section>, Vec<String>) {
         let mut jams = Vec::new();
         let linkage = Linkage::compile(mechanism.clone()).unwrap();
         assert!(friction(&linkage, &mut jams, &mut || ControlFlow::Continue(())).is_continue());
-        jams.iter_mut().for_each(|row| {
-            row.finding.place = joined(": ", [name(file.clone()), row.finding.place.clone()])
-        });
+        for row in &mut jams {
+            row.finding.place = joined(": ", [name(file.clone()), row.finding.place.clone()]);
+        }
         jamming.extend(jams);
         // The walks have loads of their own, balanced on the input link.
         let linkage = Linkage::compile(Mechanism { balance: None, ..mechanism }).unwrap();
