@@ -132,7 +132,7 @@ do-panels = several views beside each other from 120 columns; :panels curves pla
 do-scenes = the shipped scenes; :open FILE opens a scene file of yours
     .hint = scenes
     .also = load file examples new
-do-arrows = arrows: velocity, acceleration, both, none
+do-arrows = arrows: velocities, accelerations, both, loads, reactions, none
     .hint = arrows
 do-trace = paths: of all points, of the chosen one, trails, none
     .hint = paths
@@ -390,6 +390,7 @@ measure-stability = stability: { $done } / { $total }
 # Drawing without a terminal.
 draw-step-of-construction = `{ $step }` is for force polygons and for a construction: { $options }, in a position that has one
 draw-no-step = there is no step { $step }: there are steps 1 to { $last }
+draw-no-arrows = `--arrows` is for the mechanism: --view mechanism, or structure
 draw-no-position = there is no position { $position }; they are numbered 0 to { $last }
 draw-no-parts = the view `{ $view }` has no parts
 draw-no-part = there is no part `{ $part }` of this view; its parts are { $parts }

@@ -128,7 +128,7 @@ do-panels = несколько видов рядом от 120 столбцов; 
 do-scenes = сцены из комплекта; :open FILE открывает файл сцены
     .hint = сцены
     .also = примеры открыть
-do-arrows = стрелки: скорости, ускорения, обе, без них
+do-arrows = стрелки: скорости, ускорения, обе, нагрузки, реакции, без них
     .hint = стрелки
 do-trace = траектории: всех точек, выбранной, следы, без них
     .hint = траектории
@@ -365,6 +365,7 @@ measure-stability = устойчивость: { $done } / { $total }
 # Drawing without a terminal.
 draw-step-of-construction = `{ $step }` относится к планам сил и к построению: { $options }, в положении, где оно есть
 draw-no-step = шага { $step } нет: есть шаги от 1 до { $last }
+draw-no-arrows = `--arrows` относится к механизму: --view mechanism или structure
 draw-no-position = положения { $position } нет; их номера — от 0 до { $last }
 draw-no-parts = у вида `{ $view }` нет частей
 draw-no-part = части `{ $part }` у этого вида нет; его части: { $parts }

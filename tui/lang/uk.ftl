@@ -128,7 +128,7 @@ do-panels = кілька видів поруч від 120 стовпців; :pan
 do-scenes = сцени з комплекту; :open FILE відкриває файл сцени
     .hint = сцени
     .also = приклади відкрити
-do-arrows = стрілки: швидкості, прискорення, обидві, без них
+do-arrows = стрілки: швидкості, прискорення, обидві, навантаження, реакції, без них
     .hint = стрілки
 do-trace = траєкторії: усіх точок, вибраної, сліди, без них
     .hint = траєкторії
@@ -362,6 +362,7 @@ measure-stability = стійкість: { $done } / { $total }
 # Drawing without a terminal.
 draw-step-of-construction = `{ $step }` стосується планів сил і побудови: { $options }, у положенні, де вона є
 draw-no-step = кроку { $step } немає: є кроки від 1 до { $last }
+draw-no-arrows = `--arrows` стосується механізму: --view mechanism або structure
 draw-no-position = положення { $position } немає; їхні номери — від 0 до { $last }
 draw-no-parts = вид `{ $view }` не має частин
 draw-no-part = частини `{ $part }` у цього виду немає; його частини: { $parts }

@@ -3,8 +3,8 @@
 use std::ops::Range;
 use std::path::Path;
 
-use assur_figure::{Figure, svg};
-use assur_picture::{Look, Picture, Results, ViewPart, find, plots};
+use assur_figure::{Figure, Page, one_scale, svg};
+use assur_picture::{Arrows, Look, Picture, Results, ViewPart, find};
 use assur_png as png;
 use assur_scene::nearest;
 use assur_words::{Describe, Language, Text, Told, joined, list, name, number, text};
@@ -12,8 +12,9 @@ use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use strum::VariantNames;
 
-/// Width and height of a page, mm: what A4 leaves between its margins, in a good ratio.
-pub(crate) const PAGE: [f64; 2] = [160.0, 120.0];
+/// A page as wide as A4 leaves it between its margins, in a good ratio.
+const SIZE: [f64; 2] = [160.0, 120.0];
+pub(crate) const PAGE: Page = Page::Within(SIZE);
 
 /// What is drawn.
 #[derive(Debug, Clone, Args)]
@@ -33,10 +34,13 @@ pub(crate) struct PictureArgs {
     /// Step up to which a construction is drawn, or group up to which force polygons are, counted from 1; without it, all
     #[arg(long, value_name = "N")]
     pub(crate) step: Option<usize>,
-    /// Position that is drawn; several with commas between them beside each other, to one scale
+    /// Position that is drawn, of a transient motion the instant; several with commas between them beside each other, to one scale
     #[arg(long, value_name = "N", default_value = "0", value_delimiter = ',')]
     pub(crate) position: Vec<usize>,
-    /// Width and height of the page in mm (png: 10 pixels a mm), for example 160x120
+    /// Vectors on the mechanism (default: velocities)
+    #[arg(long, value_name = "KIND", value_parser = arrows())]
+    pub(crate) arrows: Option<Arrows>,
+    /// Width and height of the page in mm (png: 10 pixels a mm), for example 160x120; without it the page fits its drawing
     #[arg(long, value_name = "WxH", value_parser = page)]
     pub(crate) size: Option<[f64; 2]>,
     /// Let the drawing move through all positions (svg)
@@ -49,6 +53,10 @@ const SIDES: std::ops::RangeInclusive<f64> = 20.0..=2000.0;
 
 fn views() -> impl TypedValueParser<Value = Picture> {
     PossibleValuesParser::new(Picture::VARIANTS).try_map(|name| name.parse::<Picture>())
+}
+
+fn arrows() -> impl TypedValueParser<Value = Arrows> {
+    PossibleValuesParser::new(<Arrows as VariantNames>::VARIANTS).try_map(|name| name.parse::<Arrows>())
 }
 
 fn page(text: &str) -> Result<[f64; 2], Told> {
@@ -144,7 +152,14 @@ pub(crate) fn draw(
     language: &'static Language,
 ) -> Result<Vec<u8>, StillError> {
     let (view, wanted, positions) = (request.view(), request.part()?, request.positions(results)?);
-    let mut look = Look { position: positions[0], ..Look::default() };
+    if request.arrows.is_some() && !matches!(view, Picture::Mechanism | Picture::Structure) {
+        return Err(text!("draw-no-arrows").into());
+    }
+    // All frames of an animation are on one page.
+    let page = request.size.or(request.animate.then_some(SIZE)).map_or(PAGE, Page::Of);
+    let arrows = request.arrows.unwrap_or_default();
+    let alone = !request.animate && positions.len() == 1;
+    let mut look = Look { position: positions[0], arrows, alone, ..Look::default() };
     // A construction is drawn whole, unless a step is asked for.
     look.step = if wanted == Some(ViewPart::Construction) { usize::MAX } else { 0 };
     let part = view.part(results, &look, wanted);
@@ -170,37 +185,41 @@ pub(crate) fn draw(
             let of = |position| of(&Look { position, polygon, ..look });
             let mut row: Vec<Figure> = positions.iter().copied().map(of).collect::<Result<_, _>>()?;
             for panel in 0..row[0].panels.len() {
-                plots::one_scale(row.iter_mut().filter_map(|figure| figure.panels.get_mut(panel)));
+                one_scale(row.iter_mut().filter_map(|figure| figure.panels.get_mut(panel)));
             }
             Ok(row)
         };
         let rows = polygons.map(row).collect::<Result<Vec<_>, StillError>>()?.concat();
-        return sheet(&rows, positions.len(), request.size, output, language);
+        return sheet(&rows, positions.len(), page, output, language);
     }
     if output.extension().is_none_or(|ending| !ending.eq_ignore_ascii_case("svg")) {
         return Err(text!("draw-svg-alone").into());
     }
     // One turn through all positions that exist.
     let title = name(results.linkage.mechanism.title.clone());
-    let frame = |position| Ok(Figure { title: title.clone(), ..of(&Look { position, ..look })? });
+    // A text stands still: what has other numbers in each frame is left out.
+    let still = |figure: Figure| match look.arrows {
+        Arrows::Loads | Arrows::Reactions => Figure { legend: Vec::new(), ..figure },
+        _ => figure,
+    };
+    let frame = |position| Ok(Figure { title: title.clone(), ..still(of(&Look { position, ..look })?) });
     let frames = results.assembled().map(frame);
     let frames = frames.collect::<Result<Vec<_>, StillError>>()?;
-    Ok(svg::animate(&frames, request.size.unwrap_or(PAGE), TURN, language).into_bytes())
+    Ok(svg::animate(&frames, page, TURN, language).0.into_bytes())
 }
 
 /// Figures in rows of so many, or in about as many rows as columns, in the form that the ending of `output` names.
 fn sheet(
     figures: &[Figure],
     row: usize,
-    size: Option<[f64; 2]>,
+    page: Page,
     output: &Path,
     language: &Language,
 ) -> Result<Vec<u8>, StillError> {
-    let square = (1..).find(|side| side * side >= figures.len()).unwrap_or(1);
+    let square = (1..=figures.len()).find(|side| side * side >= figures.len()).unwrap_or(1);
     let columns = if row > 1 { row } else { square };
-    let rows = figures.len().div_ceil(columns);
-    let size = size.unwrap_or([PAGE[0] * columns as f64, PAGE[1] * rows as f64]);
-    Ok(picture(svg::sheet(figures, columns, size, language), output, size)?)
+    let (svg, size) = svg::sheet(figures, columns, page, language);
+    Ok(picture(svg, output, size)?)
 }
 
 /// The force polygons of all groups, one after the other with the input link last, or up to a step.
@@ -292,6 +311,9 @@ fn figure(
     let mut figure = if view.is_in(results) { view.figure(results, look, part) } else { Figure::default() };
     if figure.panels.is_empty() {
         return Err(StillError::Nothing(view.missing(results, look, part).0));
+    }
+    if let Some(why) = assur_picture::missing(results, look) {
+        return Err(StillError::Nothing(why));
     }
     if !panels.is_empty() {
         figure.panels = panels.iter().map(|panel| figure.panels[*panel].clone()).collect();

@@ -10,6 +10,7 @@ use assur_diagram::{
 };
 use assur_force::{AnalyzerPlugin, Construction, LoadState, Loads};
 use assur_group::Order;
+use assur_kinematics::Position;
 use assur_mechanism::{LinkId, Name, Named, PairId, SlideId};
 use assur_words::text;
 use indexmap::IndexMap;
@@ -71,6 +72,13 @@ impl Calculation {
         self.linkage.solve(state.coordinate, Order::Second, &mut position)?;
         let Some(loads) = &self.loads else { return Ok(Vec::new()) };
         constructions(&self.linkage, &position, &loads.acting(state, &position.bodies))
+    }
+
+    /// The reactions of all pairs in a state of the motion, and the balancing load; `None` without loads, and where they are not
+    /// determined.
+    pub fn reactions(&self, state: &LoadState, position: &Position) -> Option<Share> {
+        let (loads, analyzer) = (self.loads.as_ref()?, self.reaction_analyzer().ok()?);
+        Some(split(&self.linkage, position, loads, state, analyzer.instance).ok()?.whole)
     }
 
     /// The analyzer of the calculation, where it gives reactions; else the default one.

@@ -43,7 +43,7 @@ check-point-on = point { $point } on { $link }
 check-center-of-mass = center of mass of { $link }
 check-load-on = { $load } on { $link }
 check-all-loads = all loads
-check-remainder = all loads; { $symbol } = { $left }
+check-remainder = { $symbol } = { $left }
 check-all-links = all links
 check-input-link = input link
 check-ok = ok

@@ -43,7 +43,7 @@ check-point-on = точка { $point } на звене { $link }
 check-center-of-mass = центр масс звена { $link }
 check-load-on = { $load } на звене { $link }
 check-all-loads = все нагрузки
-check-remainder = все нагрузки; { $symbol } = { $left }
+check-remainder = { $symbol } = { $left }
 check-all-links = все звенья
 check-input-link = входное звено
 check-ok = выполнено

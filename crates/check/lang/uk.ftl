@@ -43,7 +43,7 @@ check-point-on = точка { $point } на ланці { $link }
 check-center-of-mass = центр мас ланки { $link }
 check-load-on = { $load } на ланці { $link }
 check-all-loads = усі навантаження
-check-remainder = усі навантаження; { $symbol } = { $left }
+check-remainder = { $symbol } = { $left }
 check-all-links = усі ланки
 check-input-link = вхідна ланка
 check-ok = виконано

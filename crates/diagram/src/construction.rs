@@ -5,7 +5,7 @@ use assur_group::plane::{minus, plus, scaled};
 
 use assur_words::text;
 
-use crate::plan::{PlanVector, VectorPlan, length};
+use crate::plan::{PlanVector, VectorPlan, length, round_scale};
 
 /// One plan for each drawing of the construction: mechanism (m), polygon (N), lever (m/rad).
 ///
@@ -49,13 +49,20 @@ fn construction_plan(construction: &Construction, drawing: Drawing) -> Option<Ve
     Some(plan.finish(open))
 }
 
-/// The steps of a construction as they lie in one picture, each with its number, its start and its end: those of the lever, or
-/// those in the mechanism with the force polygon laid off from its corner to the same scale of forces (L fig. 1).
-pub fn construction_picture(construction: &Construction, lever: bool) -> Vec<(usize, [[f64; 2]; 2])> {
+/// A step by its number, with its start and its end.
+pub type StepInPicture = (usize, [[f64; 2]; 2]);
+
+/// The steps of a construction as they lie in one picture: those of the lever, or those in the mechanism with the force polygon laid
+/// off from its corner to the same scale of forces (L fig. 1). The second value is that scale, newtons for a unit of the picture, which
+/// is round; 0 without forces.
+pub fn construction_picture(construction: &Construction, lever: bool) -> (Vec<StepInPicture>, f64) {
     let numbered = construction.steps.iter().enumerate();
     let steps: Vec<(usize, &ConstructionStep)> =
         numbered.filter(|(_, step)| (step.drawing == Drawing::Lever) == lever).collect();
-    let scale = drawn_per_newton(&steps.iter().map(|(_, step)| *step).collect::<Vec<_>>());
+    // Rounded up, the greatest force is up to 0.7 as long as the drawing is wide.
+    let per_newton = drawn_per_newton(&steps.iter().map(|(_, step)| *step).collect::<Vec<_>>());
+    let newtons = round_scale(0.7 / per_newton);
+    let scale = if newtons > 0.0 { newtons.recip() } else { 0.0 };
     let ends = |step: &ConstructionStep| {
         let start = match step.drawing {
             Drawing::Polygon => plus(construction.corner, scaled(scale, step.start)),
@@ -63,7 +70,7 @@ pub fn construction_picture(construction: &Construction, lever: bool) -> Vec<(us
         };
         [start, plus(start, scaled(if is_force(step) { scale } else { 1.0 }, step.vector))]
     };
-    steps.into_iter().map(|(number, step)| (number, ends(step))).collect()
+    (steps.into_iter().map(|(number, step)| (number, ends(step))).collect(), newtons)
 }
 
 fn is_force(step: &ConstructionStep) -> bool {

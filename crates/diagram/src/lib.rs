@@ -22,7 +22,7 @@ mod sheet;
 mod sign;
 
 pub use assur_force::VectorKind;
-pub use construction::{construction_picture, construction_plans};
+pub use construction::{StepInPicture, construction_picture, construction_plans};
 pub use cycle::{Hodograph, ReactionExtreme, Sizes};
 pub use enveloping::{Enveloping, EnvelopingPoint, enveloping};
 pub use error::DiagramError;

@@ -100,7 +100,7 @@ impl VectorPlan {
 }
 
 /// The least of 1, 2, 5 times a power of ten that is not smaller than the value.
-fn round_scale(least: f64) -> f64 {
+pub(crate) fn round_scale(least: f64) -> f64 {
     if least <= 0.0 || !least.is_finite() {
         return 0.0;
     }

@@ -15,12 +15,14 @@ pub mod mechanism;
 mod model;
 pub mod number;
 mod page;
+mod scale;
 pub mod svg;
 mod trace;
 
 pub use axis::{Axis, AxisKind, extent};
 pub use bounds::{Bounds, Zoom};
 pub use model::{Cursor, Figure, Frame, Ink, Item, Key, Panel, Point, Sample, Sign, Stroke};
-pub use number::round_length;
+pub use page::Page;
+pub use scale::{Scale, one_scale};
 
 assur_words::resources!();

@@ -6,6 +6,7 @@ use assur_words::{Text, joined};
 
 use crate::axis::Axis;
 use crate::bounds::Bounds;
+use crate::scale::Scale;
 
 /// A point of a panel, in the units of its frame.
 pub type Point = [f64; 2];
@@ -69,13 +70,8 @@ pub enum Frame {
     Plane {
         /// The part of the plane that is shown.
         bounds: Bounds,
-        /// Unit in which lengths of the plane are given.
-        unit: String,
-        /// Number of these units in one unit of the plane.
-        factor: f64,
-        /// Symbol and unit of the scale on paper: `("l", "m")` of lengths, `("F", "N")` of forces; without a symbol, as on a
-        /// screen, the drawing fills its room and tells no scale.
-        scale: (&'static str, String),
+        /// Its own scale, then those of what else is drawn in it.
+        scales: Vec<Scale>,
     },
     /// Two axes of their own.
     Axes {
@@ -104,6 +100,11 @@ impl From<f64> for Cursor {
 }
 
 impl Panel {
+    /// A plane without a heading.
+    pub fn plane(bounds: Bounds, scale: Scale, items: Vec<Item>) -> Self {
+        Self { title: Text::default(), frame: Frame::Plane { bounds, scales: vec![scale] }, items }
+    }
+
     pub(crate) fn heading(&self) -> Text {
         let value = match &self.frame {
             Frame::Axes { cursor: Some(cursor), .. } => Some(&cursor.value),
@@ -340,6 +341,4 @@ pub enum Sample {
     Sign(Sign, Ink),
     /// A stroke.
     Line(Stroke, Ink),
-    /// An arrow of this length in the units of the plane of the first panel, with a stroke.
-    Arrow(f64, Stroke, Ink),
 }

@@ -17,7 +17,7 @@ pub(crate) fn round_up(least: f64, steps: &[f64]) -> f64 {
 }
 
 /// The largest of 1, 2, 5 times a power of ten that is not above `most`.
-pub fn round_length(most: f64) -> f64 {
+pub(crate) fn round_length(most: f64) -> f64 {
     if !(most.is_finite() && most > 0.0) {
         return 1.0;
     }

@@ -41,50 +41,104 @@ pub(crate) struct Room {
     pub(crate) height: f64,
 }
 
-/// The elements of a figure on a page of this width and height, mm.
-pub(crate) fn elements(figure: &Figure, [width, height]: [f64; 2], language: &Language) -> Vec<Element> {
-    let mut room =
-        Room { left: BORDER, top: BORDER, width: width - 2.0 * BORDER, height: height - 2.0 * BORDER };
-    let mut elements = Vec::new();
-    for line in names::wrapped(&plain(&figure.title, language), room.width) {
-        elements.push(text([room.left, room.top + EM], &line, Ink::Title, "start"));
-        room.top += LINE;
-        room.height -= LINE;
-    }
-    let rows = legend::rows(figure, room.width, language);
-    room.height -= rows.len() as f64 * LINE;
-    let mut unit = None;
-    let numbers = axes::numbers(figure, room, language);
-    for (index, panel) in figure.panels.iter().enumerate() {
-        let part = cell(figure, index, room);
-        elements.extend(match panel.frame {
-            Frame::Plane { .. } => {
-                let (drawn, width) = plane::elements(panel, part, language);
-                unit.get_or_insert(width);
-                drawn
-            }
-            Frame::Axes { .. } => axes::elements(panel, figure.shows_axis(index), numbers, part, language),
-        });
-    }
-    let bottom = room.top + room.height + LINE;
-    elements.extend(legend::elements(&rows, [room.left, bottom], unit.unwrap_or(1.0)));
-    elements
+/// A page, mm.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Page {
+    /// Of this width and height.
+    Of([f64; 2]),
+    /// Of this width and height for curves; planes shrink to their drawings, and the page with them, but that it may grow by its legend and
+    /// for rows of planes.
+    Within([f64; 2]),
 }
 
-/// The room of a panel; rows of panels are equally high apart from the rows of their axes.
-fn cell(figure: &Figure, index: usize, room: Room) -> Room {
+impl From<[f64; 2]> for Page {
+    fn from(size: [f64; 2]) -> Self {
+        Self::Of(size)
+    }
+}
+
+/// Least width of a page that shrinks to its drawing, least height of a row of planes, and least width of a panel beside others, mm.
+const LEAST_PAGE: f64 = 100.0;
+const LEAST_ROW: f64 = 80.0;
+const SHARE: f64 = 65.0;
+
+/// The elements of a figure on a page, and the width and height of the page, mm.
+pub(crate) fn elements(figure: &Figure, page: Page, language: &Language) -> (Vec<Element>, [f64; 2]) {
+    let (Page::Of(size) | Page::Within(size)) = page;
+    let [width, height] = size.map(|side| side - 2.0 * BORDER);
+    let title = |width| names::wrapped(&plain(&figure.title, language), width);
+    let rows = legend::rows(figure, width, language);
+    let free = [width, height - LINE * (title(width).len() + rows.len()) as f64];
+    let (mut rooms, mut used) = (cells(figure, free), free);
+    if let Page::Within(_) = page {
+        let is_plane = |panel: &Panel| matches!(panel.frame, Frame::Plane { .. });
+        let high = height.max(LEAST_ROW * figure.rows() as f64);
+        let free = if figure.panels.iter().all(is_plane) { [width, high] } else { free };
+        (rooms, used) = shrunk(figure, free, language);
+    }
+    let aside = (legend::width(&rows).max(LEAST_PAGE).min(width) - used[0]).max(0.0);
+    let title = title(used[0] + aside);
+    let above = BORDER + LINE * title.len() as f64;
+    for room in &mut rooms {
+        (room.left, room.top) = (room.left + BORDER + 0.5 * aside, room.top + above);
+    }
+    let baseline = |row: usize| [BORDER, BORDER + EM + row as f64 * LINE];
+    let lines = title.iter().enumerate();
+    let mut elements: Vec<_> =
+        lines.map(|(row, line)| text(baseline(row), line, Ink::Title, "start")).collect();
+    let numbers = axes::numbers(figure, used[1], language);
+    for (index, (panel, room)) in figure.panels.iter().zip(rooms).enumerate() {
+        elements.extend(match panel.frame {
+            Frame::Plane { .. } => plane::elements(panel, room, language),
+            Frame::Axes { .. } => axes::elements(panel, figure.shows_axis(index), numbers, room, language),
+        });
+    }
+    let bottom = above + used[1];
+    elements.extend(legend::elements(&rows, [BORDER, bottom + LINE]));
+    let needed = [used[0] + aside + 2.0 * BORDER, bottom + LINE * rows.len() as f64 + BORDER];
+    let needed = needed.map(|side| (100.0 * side).round() / 100.0);
+    (elements, if let Page::Of(size) = page { size } else { needed })
+}
+
+/// The rooms of the panels; rows of panels are equally high apart from the rows of their axes.
+fn cells(figure: &Figure, [width, height]: [f64; 2]) -> Vec<Room> {
     let columns = figure.columns.max(1);
     let below = |row: usize| if figure.has_axis_below(row) { axes::BELOW } else { 0.0 };
-    let (row, column) = (index / columns, index % columns);
     let all: f64 = (0..figure.rows()).map(below).sum();
-    let (width, height) = (room.width / columns as f64, (room.height - all) / figure.rows().max(1) as f64);
-    let above: f64 = (0..row).map(below).sum();
-    Room {
-        left: room.left + column as f64 * width,
-        top: room.top + row as f64 * height + above,
-        width,
-        height: height + below(row),
+    let (width, height) = (width / columns as f64, (height - all) / figure.rows().max(1) as f64);
+    let cell = |index: usize| {
+        let (row, column) = (index / columns, index % columns);
+        let top = row as f64 * height + (0..row).map(below).sum::<f64>();
+        Room { left: column as f64 * width, top, width, height: height + below(row) }
+    };
+    (0..figure.panels.len()).map(cell).collect()
+}
+
+/// The rooms of the panels in a width, with the width and height of all: each plane has what its drawing needs, curves have the rest of
+/// their row.
+fn shrunk(figure: &Figure, [width, height]: [f64; 2], language: &Language) -> (Vec<Room>, [f64; 2]) {
+    let is_plane = |panel: &Panel| matches!(panel.frame, Frame::Plane { .. });
+    let columns = figure.columns.max(1);
+    let mut rooms = cells(figure, [width, height]);
+    let mut used = [0.0_f64; 2];
+    for (row, panels) in rooms.chunks_mut(columns).zip(figure.panels.chunks(columns)) {
+        let share = SHARE.min(width / panels.len() as f64);
+        let mut rest = width - share * panels.len() as f64;
+        for (room, panel) in row.iter_mut().zip(panels).filter(|(_, panel)| is_plane(panel)) {
+            *room = plane::shrunk(panel, Room { width: share + rest, ..*room }, language);
+            rest += share - room.width;
+        }
+        let curves = panels.iter().filter(|panel| !is_plane(panel)).count();
+        let high = row.iter().map(|room| room.height).fold(0.0, f64::max);
+        let mut left = 0.0;
+        for (room, panel) in row.iter_mut().zip(panels) {
+            let width = if is_plane(panel) { room.width } else { share + rest / curves as f64 };
+            *room = Room { left, top: used[1], width, height: high };
+            left += width;
+        }
+        used = [used[0].max(left), used[1] + high];
     }
+    (rooms, used)
 }
 
 /// A heading without the quotes by which names of the scene are told apart in running text.

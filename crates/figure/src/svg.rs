@@ -6,40 +6,57 @@ use assur_words::Language;
 
 use crate::model::Figure;
 pub use crate::page::EM;
-use crate::page::{Element, elements};
+use crate::page::{Element, Page, elements};
 
 /// Fonts of the texts, the first that is there; their letters have nearly one width.
 const FONTS: &str = "DejaVu Sans, Verdana, Arial, sans-serif";
 
-/// A figure on a page of this width and height, mm, in the words of a language.
-pub fn write(figure: &Figure, size: [f64; 2], language: &Language) -> String {
-    animate(std::slice::from_ref(figure), size, 0.0, language)
+/// A figure on a page, in the words of a language.
+pub fn write(figure: &Figure, page: impl Into<Page>, language: &Language) -> String {
+    sheet(std::slice::from_ref(figure), 1, page.into(), language).0
 }
 
-/// Figures on one page of this width and height, mm, row by row in so many columns, each with its own heading and legend.
-pub fn sheet(figures: &[Figure], columns: usize, [width, height]: [f64; 2], language: &Language) -> String {
+/// Figures on one page, row by row in so many columns, each with its own heading and legend, or each within a page of its own; and the
+/// width and height of the whole, mm.
+pub fn sheet(figures: &[Figure], columns: usize, page: Page, language: &Language) -> (String, [f64; 2]) {
     if let [figure] = figures {
-        return write(figure, [width, height], language);
+        return animate(std::slice::from_ref(figure), page, 0.0, language);
     }
     let columns = columns.max(1);
-    let cell = [width / columns as f64, height / figures.len().div_ceil(columns).max(1) as f64];
-    let placed = |(index, figure): (usize, &Figure)| {
-        let elements = elements(figure, cell, language);
+    let cell = match page {
+        Page::Of([width, height]) => {
+            let rows = figures.len().div_ceil(columns).max(1);
+            Page::Of([width / columns as f64, height / rows as f64])
+        }
+        within => within,
+    };
+    let drawn: Vec<_> = figures.iter().map(|figure| elements(figure, cell, language)).collect();
+    let side = |axis: usize| drawn.iter().map(|(_, size)| size[axis]).fold(0.0, f64::max);
+    let [width, height] = [side(0), side(1)];
+    let placed = |(index, (elements, _)): (usize, &(Vec<Element>, [f64; 2]))| {
         let inner: String = elements.iter().map(|element| markup(element, "") + "\n").collect();
-        let [x, y] = [(index % columns) as f64 * cell[0], (index / columns) as f64 * cell[1]];
+        let [x, y] = [(index % columns) as f64 * width, (index / columns) as f64 * height];
         format!("<g transform=\"translate({x} {y})\">\n{inner}</g>")
     };
     let title = figures.first().map(|figure| figure.title.render(language)).unwrap_or_default();
-    document(&title, [width, height], figures.iter().enumerate().map(placed))
+    let whole = [columns as f64 * width, figures.len().div_ceil(columns) as f64 * height];
+    (document(&title, whole, drawn.iter().enumerate().map(placed)), whole)
 }
 
 /// A figure that moves: its frames follow each other in equal times and repeat; `seconds` is the time of all.
 ///
 /// What is equal in all frames is written once; between two frames everything moves in straight lines. A frame that does
-/// not have the elements of the first one is left out.
-pub fn animate(frames: &[Figure], size: [f64; 2], seconds: f64, language: &Language) -> String {
-    let mut all: Vec<Vec<Element>> = frames.iter().map(|frame| elements(frame, size, language)).collect();
-    let Some(first) = all.first().cloned() else { return String::new() };
+/// not have the elements of the first one is left out. The second value is the size of the page, mm.
+pub fn animate(
+    frames: &[Figure],
+    page: impl Into<Page>,
+    seconds: f64,
+    language: &Language,
+) -> (String, [f64; 2]) {
+    let page = page.into();
+    let drawn = frames.iter().map(|frame| elements(frame, page, language));
+    let (mut all, sizes): (Vec<Vec<Element>>, Vec<[f64; 2]>) = drawn.unzip();
+    let (Some(first), Some(size)) = (all.first().cloned(), sizes.first()) else { return Default::default() };
     let names = |frame: &[Element]| frame.iter().map(|element| element.name).collect::<Vec<_>>();
     all.retain(|frame| names(frame) == names(&first));
     // The last frame leads back to the first one.
@@ -48,7 +65,7 @@ pub fn animate(frames: &[Figure], size: [f64; 2], seconds: f64, language: &Langu
         let of: Vec<&Element> = all.iter().map(|frame| &frame[index]).collect();
         markup(of[0], &motion(&of, seconds))
     });
-    document(&frames[0].title.render(language), size, parts)
+    (document(&frames[0].title.render(language), *size, parts), *size)
 }
 
 fn motion(frames: &[&Element], seconds: f64) -> String {

@@ -1,8 +1,10 @@
 //! What cells and SVG show of one figure.
 
 use assur_figure::cells::{self, Look, Marker, Spot};
-use assur_figure::{Axis, Bounds, Figure, Frame, Ink, Item, Panel, Sign, Stroke, Zoom, svg};
-use assur_words::{Language, Text, name, unit};
+use assur_figure::{
+    Axis, Bounds, Figure, Frame, Ink, Item, Key, Page, Panel, Sample, Scale, Sign, Stroke, Zoom, svg,
+};
+use assur_words::{Language, name, unit};
 
 fn look(marker: Marker) -> Look {
     Look { marker, ratio: 2.0, zoom: Zoom::WHOLE, language: Language::english() }
@@ -10,8 +12,7 @@ fn look(marker: Marker) -> Look {
 
 fn plane(items: Vec<Item>) -> Figure {
     let bounds = Bounds::around(items.iter().flat_map(Item::points));
-    let frame = Frame::Plane { bounds, unit: "m/s".into(), factor: 1.0, scale: ("v", "m/s".into()) };
-    Figure::of(Panel { title: Text::default(), frame, items })
+    Figure::of(Panel::plane(bounds, Scale::of("v", "m/s"), items))
 }
 
 fn chart(title: &str, values: &[f64], floor: f64) -> Figure {
@@ -92,7 +93,8 @@ fn a_value_without_neighbors_is_a_dot() {
     let alone = [[0.0, 1.0], [f64::NAN; 2], [1.0, 2.0], [f64::NAN; 2], [2.0, 0.0], [3.0, 1.0]];
     let figure = plane(vec![Item::line(alone, Stroke::Solid, Ink::First)]);
     let text = svg::write(&figure, [160.0, 120.0], Language::english());
-    assert_eq!([text.matches("<circle").count(), text.matches("<polyline").count()], [2, 1]);
+    // The line, and the bar of the scale.
+    assert_eq!([text.matches("<circle").count(), text.matches("<polyline").count()], [2, 2]);
 }
 
 /// The numbers of an attribute of the elements of a name.
@@ -125,6 +127,100 @@ fn a_length_on_paper_times_the_scale_is_the_true_length() {
     }
 }
 
+fn number(text: &str) -> f64 {
+    text.parse().expect("a number")
+}
+
+/// Left, right of the last bar of a scale on a page, and what is written beside it.
+fn bar(text: &str) -> ([f64; 2], String) {
+    let lines: Vec<&str> = text.lines().collect();
+    let (at, numbers) = lines
+        .iter()
+        .enumerate()
+        .filter_map(|(at, line)| {
+            let points = attributes(line, "polyline", "points").pop()?;
+            let numbers: Vec<f64> = points.split([' ', ',']).map(number).collect();
+            (numbers.len() == 8 && (numbers[0] - numbers[2]).abs() <= 0.0).then_some((at, numbers))
+        })
+        .next_back()
+        .expect("a page with a scale");
+    ([numbers[2], numbers[4]], lines[at + 1].to_owned())
+}
+
+#[test]
+fn a_scale_has_a_bar_as_long_as_it_says_and_a_factor_that_fits_it() {
+    for force in [3.0, 77.0, 1.2e4] {
+        // 0.4 m on the page, and a force that is 0.25 m long in it at most.
+        let mut figure = plane(vec![Item::line([[0.0; 2], [0.4, 0.1]], Stroke::Solid, Ink::First)]);
+        let Frame::Plane { scales, .. } = &mut figure.panels[0].frame else { panic!() };
+        let forces = Scale::vectors("F", "N", force / 0.25);
+        // Round: a multiple of a power of ten by 1, 2, 2.5, 4 or 5, and not much above what is asked for.
+        assert!(forces.size >= force / 0.25 && forces.size < 2.0 * force / 0.25, "{}", forces.size);
+        *scales = vec![Scale::of("l", "m"), forces.clone()];
+        let text = svg::write(&figure, [160.0, 120.0], Language::english());
+        let ([left, right], told) = bar(&text);
+        let told = told.split_once('>').unwrap().1;
+        let length: f64 = told.split(' ').next().unwrap().parse().unwrap();
+        let factor: f64 = told.split(" = ").nth(1).unwrap().split(' ').next().unwrap().parse().unwrap();
+        assert!(told.contains("N/mm") && told.contains(" N "), "{told}");
+        assert!((factor * (right - left) - length).abs() < 0.01 * length, "{told}: {left} to {right} mm");
+        // The line is 0.4 m long along x.
+        let line = attributes(&text, "polyline", "points").remove(0);
+        let numbers: Vec<f64> = line.split([' ', ',']).map(|number| number.parse().unwrap()).collect();
+        let meter = (numbers[2] - numbers[0]) / 0.4;
+        assert!((forces.size / meter - factor).abs() < 1e-3 * factor, "{told}");
+        // Cells have a bar for each scale, too, beside each other where there is room.
+        let spots = cells::draw(&figure, [60, 20], look(Marker::Braille));
+        let bars = row(&spots, 19);
+        assert!(bars.matches("|-").count() == 2 && bars.contains(" mm ") && bars.ends_with('N'), "{bars}");
+        let spots = cells::draw(&figure, [40, 20], look(Marker::Braille));
+        assert!(row(&spots, 18).ends_with("mm") && row(&spots, 19).ends_with('N'));
+    }
+}
+
+/// Width and height of a page, mm.
+fn page(text: &str) -> [f64; 2] {
+    ["width", "height"].map(|side| number(attributes(text, "svg", side)[0].trim_end_matches("mm")))
+}
+
+#[test]
+fn a_page_that_may_shrink_fits_its_drawing_and_another_one_is_kept() {
+    let is_whole = |text: &str| text.contains("width=\"160mm\" height=\"120mm\"");
+    for [width, height] in [[1.0, 1.0], [1.1, 0.01], [0.3, 2.9], [77.0, 41.0]] {
+        let figure = plane(vec![Item::line([[0.0; 2], [width, height]], Stroke::Solid, Ink::First)]);
+        let within = svg::write(&figure, Page::Within([160.0, 120.0]), Language::english());
+        let line = attributes(&within, "polyline", "points").remove(0);
+        let numbers: Vec<f64> = line.split([' ', ',']).map(|number| number.parse().unwrap()).collect();
+        let drawn = [numbers[2] - numbers[0], numbers[1] - numbers[3]].map(f64::abs);
+        let page_of = page(&within);
+        // But for a page that would be too narrow for a legend.
+        let filled = [drawn[0] / page_of[0], drawn[1] / (page_of[1] - 4.5)];
+        assert!(filled.into_iter().fold(0.0, f64::max) > 0.6, "{width} x {height}: {drawn:?} on {page_of:?}");
+        assert!(page_of[0] <= 160.0 && page_of[1] <= 120.0);
+        assert!(is_whole(&svg::write(&figure, [160.0, 120.0], Language::english())));
+    }
+    // Curves have the whole page.
+    let curves = chart("", &[1.0, 2.0], 0.0);
+    assert!(is_whole(&svg::write(&curves, Page::Within([160.0, 120.0]), Language::english())));
+}
+
+#[test]
+fn all_of_a_long_legend_is_on_the_page() {
+    let key = |at: usize| Key {
+        sample: Sample::Line(Stroke::Solid, Ink::First),
+        text: name(format!("F{at} a load of some length 1234.5 N")),
+    };
+    for legend in [2, 12, 24] {
+        let high = plane(vec![Item::line([[0.0; 2], [0.3, 1.0]], Stroke::Solid, Ink::First)]);
+        let figure = Figure { legend: (0..legend).map(key).collect(), ..high };
+        let text = svg::write(&figure, Page::Within([160.0, 120.0]), Language::english());
+        let [width, height] = page(&text);
+        let places = |name| attributes(&text, "text", name).into_iter().map(|at| number(&at));
+        assert!(places("x").zip(places("y")).all(|(x, y)| x < width - 30.0 && y < height), "{text}");
+        assert_eq!(text.matches("a load of some length").count(), legend);
+    }
+}
+
 #[test]
 fn the_same_figure_has_the_same_bytes_and_its_texts_are_no_markup() {
     let figure = Figure { title: name("a < b & \"c\""), ..chart("1 > 0", &[1.0, 2.0], 0.0) };
@@ -140,17 +236,14 @@ fn an_animation_moves_what_changes_and_writes_the_rest_once() {
             Item::line([[0.0, 0.0], [x, 1.0]], Stroke::Solid, Ink::First),
             Item::line([[0.0, 0.0], [2.0, 0.0]], Stroke::Solid, Ink::Ground),
         ];
-        let frame = Frame::Plane {
-            bounds: Bounds { low: [0.0; 2], high: [2.0, 1.0] },
-            unit: "m".into(),
-            factor: 1.0,
-            scale: ("l", "m".into()),
-        };
-        Figure::of(Panel { title: Text::default(), frame, items })
+        let bounds = Bounds { low: [0.0; 2], high: [2.0, 1.0] };
+        Figure::of(Panel::plane(bounds, Scale::of("l", "m"), items))
     };
-    let text = svg::animate(&[frame(0.0), frame(1.0), frame(2.0)], [100.0, 80.0], 3.0, Language::english());
+    let frames = [frame(0.0), frame(1.0), frame(2.0)];
+    let (text, _) = svg::animate(&frames, [100.0, 80.0], 3.0, Language::english());
     assert_eq!(text.matches("<animate ").count(), 1, "{text}");
-    assert_eq!(text.matches("<polyline").count(), 2, "{text}");
+    // Both lines, and the bar of the scale.
+    assert_eq!(text.matches("<polyline").count(), 3, "{text}");
     // Three frames, and the first one again.
     let values = text.split("values=\"").nth(1).unwrap().split('"').next().unwrap();
     assert_eq!(values.split(';').count(), 4);

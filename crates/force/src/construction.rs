@@ -83,6 +83,8 @@ pub enum Drawing {
 pub struct ConstructionStep {
     /// Short name: `F`, `R3`, or words.
     pub name: Text,
+    /// The load that it draws; empty where the name says what it is.
+    pub of: Text,
     /// What it draws.
     pub kind: VectorKind,
     /// Which drawing it belongs to.

@@ -3,6 +3,7 @@
 use std::fmt::{self, Write};
 
 use assur_book::{Block, Term};
+use assur_figure::Page;
 use assur_figure::svg::{self, escaped};
 use assur_words::{Text, text};
 
@@ -52,7 +53,7 @@ pub(super) fn write(sheet: &NoteSheet<'_>) -> String {
             Block::Paragraph(words) => writeln!(text, "<p>{}</p>", line(words)),
             Block::Equation(terms) => writeln!(text, "<p class=\"eq\">{}</p>", equation(sheet, terms)),
             Block::Figure { frames, size, caption } => {
-                let drawn = svg::animate(frames, *size, TURN, sheet.language);
+                let (drawn, _) = svg::animate(frames, Page::Within(*size), TURN, sheet.language);
                 writeln!(text, "<figure>{drawn}<figcaption>{}</figcaption></figure>", line(caption))
             }
             Block::Table(_) | Block::Facts { .. } => {

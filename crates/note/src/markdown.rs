@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use assur_book::{Block, Term};
-use assur_figure::svg;
+use assur_figure::{Page, svg};
 use assur_words::{Text, text, unit};
 
 use super::Written;
@@ -27,7 +27,7 @@ pub(super) fn write(sheet: &NoteSheet<'_>, folder: &str) -> Written {
             Block::Equation(terms) => writeln!(text, "${}$\n", equation(sheet, terms)),
             Block::Figure { frames, size, caption } => {
                 let name = format!("figure-{}.svg", figures.len() + 1);
-                let drawn = svg::animate(frames, *size, TURN, sheet.language);
+                let (drawn, _) = svg::animate(frames, Page::Within(*size), TURN, sheet.language);
                 let caption = line(caption);
                 figures.push((name.clone(), drawn));
                 writeln!(text, "![{caption}](<{folder}/{name}>)\n\n{caption}\n")

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use assur_book::{Block, Term};
-use assur_figure::svg;
+use assur_figure::{Page, svg};
 use assur_words::{Text, text, unit};
 
 use super::html::SHORT;
@@ -39,8 +39,8 @@ pub(super) fn write(sheet: &NoteSheet<'_>) -> String {
             // Paper does not move.
             Block::Figure { frames, size, caption } => {
                 let first = &frames[..1.min(frames.len())];
-                let drawn = quoted(&svg::animate(first, *size, 0.0, sheet.language));
-                let (width, caption) = (size[0], line(caption));
+                let (drawn, [width, _]) = svg::animate(first, Page::Within(*size), 0.0, sheet.language);
+                let (drawn, caption) = (quoted(&drawn), line(caption));
                 writeln!(
                     text,
                     "#figure(image(bytes({drawn}), format: \"svg\", width: {width}mm), caption: [{caption}])\n"

@@ -1,196 +1,216 @@
-//! Velocities and accelerations as arrows, per unit time if the positions move, else per unit speed of the coordinate; and the
-//! contacts of a position: the point K, the normal force and the friction in it, and their sum.
+//! Vectors on the mechanism: velocities and accelerations of its points, per unit time if the positions move, else per unit speed of the
+//! coordinate; loads or reactions; the contacts of a position in any case. All of one kind have one scale, the same in all positions,
+//! so that lengths can be compared; a position that is drawn alone has its own.
 
-use assur_analysis::results::{Column, Owner, Quantity};
-use assur_figure::number::plain;
-use assur_figure::{Ink, Item, Key, Sample, Sign, Stroke, round_length};
-use assur_force::{Acting, Cause};
-use assur_group::plane::{plus, scaled};
+use std::collections::HashSet;
+
+use assur_book::Unit;
+use assur_figure::number::digits;
+use assur_figure::{Bounds, Frame, Ink, Item, Key, Panel, Point, Sample, Scale, Stroke};
+use assur_force::LoadState;
+use assur_group::plane::{length, minus, plus, scaled};
 use assur_kinematics::Position;
-use assur_mechanism::{GROUND, LoadId};
-use assur_words::{Text, joined, name, quantity, text};
+use assur_mechanism::GROUND;
+use assur_words::{Text, name, quantity, text};
 
-use crate::{Arrows, Found, Look, Results, Series};
+use crate::acting::Acting;
+use crate::{Arrows, Look, Picture, Results, ViewPart, plots};
 
-/// Longest arrow of a motion, as part of the size of the drawing.
-const LONGEST: f64 = 0.3;
+/// Longest vector, as part of the size of the drawing.
+const LONGEST: f64 = 0.35;
 /// Least part of the greater side of a drawing that counts as its smaller side.
 const FLAT: f64 = 0.5;
-/// Greatest force of a contact over the cycle, as part of the size of the drawing.
-const LONGEST_FORCE: f64 = 0.25;
-/// Longest arrow of the legend, as part of the longest one of the drawing.
-const TOLD: f64 = 0.5;
-/// First and second derivative with respect to time.
-const RATES: [Quantity; 2] = [Quantity::Velocity, Quantity::Acceleration];
-fn orders(look: &Look<'_>) -> &'static [u8] {
-    match look.arrows {
-        Arrows::None => &[],
-        Arrows::Velocity => &[1],
-        Arrows::Acceleration => &[2],
-        Arrows::Both => &[1, 2],
+/// Radius of the arc of a moment, and what each further one in its place has more, as parts of the size of the drawing.
+const ARC: [f64; 2] = [0.08, 0.03];
+/// Positions that are looked at for the greatest vectors.
+const LOOKED_AT: usize = 96;
+/// A force below this part of the greatest is rounding.
+const LEAST: f64 = 1e-9;
+/// Symbols of the scales of velocities, accelerations and forces.
+const SYMBOLS: [&str; 3] = ["v", "a", "F"];
+
+/// What a vector is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Kind {
+    /// Of a point: PF1, or the velocity.
+    Velocity,
+    /// Of a point: PF2, or the acceleration.
+    Acceleration,
+    Force,
+    /// The first number is its size, N m, counter-clockwise.
+    Moment,
+}
+
+/// A vector at its place; one without a size marks the place.
+#[derive(Debug, Clone)]
+pub(crate) struct Arrow {
+    pub(crate) at: Point,
+    pub(crate) kind: Kind,
+    pub(crate) vector: [f64; 2],
+    pub(crate) name: Text,
+    /// What it is, in the legend beside its size.
+    pub(crate) told: Text,
+    pub(crate) style: (Stroke, Ink),
+}
+
+/// The mechanism with its vectors, in one position or at one instant.
+pub(crate) struct Shown {
+    pub(crate) pose: Position,
+    arrows: Vec<Arrow>,
+    /// The scale of each kind that there is, and the length, m, of a vector of size 1 in SI.
+    scales: [Option<(Scale, f64)>; 3],
+    /// What the vectors of all positions need.
+    bounds: Bounds,
+    /// Size of the drawing, m.
+    size: f64,
+}
+
+impl Shown {
+    /// Where the mechanism is now; `None` where it can't be assembled.
+    pub(crate) fn of(results: &Results, look: &Look<'_>) -> Option<Self> {
+        let (pose, mut own) = arrows(results, look, look.position, look.part)?;
+        let count = results.positions();
+        let numbers = (0..count).step_by(count.div_ceil(LOOKED_AT).max(1)).filter(|_| !look.alone);
+        let others = numbers.filter_map(|number| arrows(results, look, number, 0.0));
+        let all: Vec<Arrow> = others.flat_map(|(_, arrows)| arrows).chain(own.iter().cloned()).collect();
+        let most = |kind: usize| {
+            let own = all.iter().filter(|arrow| arrow.kind as usize == kind);
+            own.map(|arrow| length(arrow.vector)).fold(0.0, f64::max)
+        };
+        let [width, height] = results.outline.bounds.size();
+        let size = width.min(height).max(FLAT * width.max(height));
+        let derivatives = [1, 2].map(|order| Unit::transfer(false, results.linkage.angular(), order));
+        let [first, second] = if has_motion(results) { Unit::MOVING } else { derivatives };
+        let units = [first, second, Unit::FORCE];
+        let scales = [0, 1, 2].map(|kind| {
+            let Unit { name, factor, .. } = units[kind];
+            let scale = Scale::vectors(SYMBOLS[kind], name, factor * most(kind) / (LONGEST * size));
+            let length = factor / scale.size;
+            (most(kind) > 0.0).then_some((scale, length))
+        });
+        // A moment is rounding beside what the greatest force has about the drawing, too.
+        let [force, moment] = [Kind::Force, Kind::Moment].map(|kind| most(kind as usize));
+        let least = [0.0, 0.0, LEAST * force, LEAST * moment.max(force * size)];
+        // Vectors that are zero everywhere are left out, but not what marks a place.
+        let is_seen =
+            |arrow: &&Arrow| arrow.told.is_empty() || length(arrow.vector) > least[arrow.kind as usize];
+        let names: HashSet<&Text> = all.iter().filter(is_seen).map(|arrow| &arrow.name).collect();
+        own.retain(|arrow| names.contains(&arrow.name));
+        let mut shown = Self { pose, arrows: own, scales, bounds: Bounds::EMPTY, size };
+        shown.bounds = Bounds::around(all.iter().map(|arrow| shown.tip(arrow)));
+        Some(shown)
     }
-}
 
-/// Velocities are full arrows, accelerations dashed ones: distinguished without color.
-fn look_of(order: u8) -> (Stroke, Ink) {
-    if order == 1 { (Stroke::Solid, Ink::Velocity) } else { (Stroke::Dashed, Ink::Acceleration) }
-}
+    /// Where the drawing shows the mechanism: a position, or the instant to which its forces belong.
+    pub(crate) fn place(results: &Results, look: &Look<'_>) -> Text {
+        results.place(look.position)
+    }
 
-fn is_of_point(series: &Series, quantity: Quantity) -> bool {
-    series.column.quantity == quantity && matches!(series.column.owner, Owner::Point(_))
-}
-
-/// The results, if the positions move.
-fn moving(results: &Results) -> Option<&Found> {
-    let moves = |found: &&Found| found.series.iter().any(|series| is_of_point(series, RATES[0]));
-    results.found.as_deref().filter(moves)
-}
-
-/// What is drawn of an order of the points, in parts: v = PF1 w, a = PF2 w² + PF1 e; without a motion PF1, PF2.
-fn series_of(results: &Results, order: u8) -> impl Iterator<Item = &Series> {
-    let (all, quantity) = match moving(results) {
-        Some(found) => (&found.series, RATES[usize::from(order) - 1]),
-        None => (&results.series, Quantity::Transfer(order)),
-    };
-    all.iter().filter(move |series| is_of_point(series, quantity))
-}
-
-/// The arrows of all points that have them.
-pub(crate) fn items(results: &Results, look: &Look<'_>, pose: &Position) -> Vec<Item> {
-    let mut items = Vec::new();
-    for &order in orders(look) {
-        let Some(length) = length(results, order) else { continue };
-        let (stroke, ink) = look_of(order);
-        for (point, vector) in vectors(results, pose, look.position, order) {
-            let from = results.linkage.point_motion(point, pose).pf0;
-            items.push(Item::Arrow { from, to: plus(from, scaled(length, vector)), stroke, ink });
+    /// The vectors with their names.
+    pub(crate) fn items(&self) -> Vec<Item> {
+        let mut items = Vec::new();
+        for (index, arrow) in self.arrows.iter().enumerate() {
+            let Arrow { at, kind, vector, name, style: (stroke, ink), .. } = arrow;
+            let end = if *kind == Kind::Moment {
+                let here = |other: &&Arrow| other.kind == Kind::Moment && length(minus(other.at, *at)) <= 0.0;
+                let before = self.arrows[..index].iter().filter(here).count();
+                let radius = self.size * (ARC[0] + ARC[1] * before as f64);
+                let (arc, middle) = plots::moment(*at, radius, 0.0, vector[0], *ink);
+                items.extend(arc);
+                middle
+            } else {
+                let to = self.tip(arrow);
+                items.push(Item::Arrow { from: *at, to, stroke: *stroke, ink: *ink });
+                to
+            };
+            items.push(Item::name(end, name.clone(), *ink));
         }
+        items
     }
-    items
-}
 
-fn vectors(results: &Results, pose: &Position, position: usize, order: u8) -> Vec<(usize, [f64; 2])> {
-    let mechanism = &results.linkage.mechanism;
-    let points = (0..mechanism.points.len()).filter(|id| mechanism.place_in(*id, GROUND).is_none());
-    if moving(results).is_some() {
-        let all: Vec<&Series> = series_of(results, order).collect();
-        let of = |column| all.iter().find(|series| series.column == column)?.course.get(position);
-        let rate = |id| {
-            let [x, y] = Column::vector(RATES[usize::from(order) - 1], Owner::Point(id)).map(of);
-            x.zip(y).map(|(x, y)| (id, [x, y]))
-        };
-        return points.filter_map(rate).collect();
-    }
-    let motion = |id| results.linkage.point_motion(id, pose);
-    points.map(|id| (id, if order == 1 { motion(id).pf1 } else { motion(id).pf2 })).collect()
-}
-
-fn most(results: &Results, order: u8) -> f64 {
-    series_of(results, order).map(|series| series.course.size()).fold(0.0, f64::max)
-}
-
-/// Length, m, of an arrow of size 1; equal in all positions, so that lengths can be compared.
-fn length(results: &Results, order: u8) -> Option<f64> {
-    let [width, height] = results.outline.bounds.size();
-    let size = width.min(height).max(FLAT * width.max(height));
-    let most = most(results, order);
-    (most > 0.0).then(|| LONGEST * size / most)
-}
-
-/// The arrows that are drawn: what they are, the size of a round one with its unit, its length, m, its stroke and its ink.
-pub fn scales(results: &Results, look: &Look<'_>) -> Vec<(Text, Text, f64, (Stroke, Ink))> {
-    let scale = |&order: &u8| {
-        let what = match (moving(results).is_some(), order) {
-            (true, 1) => text!("arrow-velocity"),
-            (true, _) => text!("arrow-acceleration"),
-            (false, 1) => text!("arrow-first"),
-            (false, _) => text!("arrow-second"),
-        };
-        let unit = series_of(results, order).next()?.unit;
-        let round = round_length(TOLD * most(results, order) * unit.factor) / unit.factor;
-        let size = quantity(plain(round * unit.factor), unit.name);
-        Some((what, size, round * length(results, order)?, look_of(order)))
-    };
-    orders(look).iter().filter_map(scale).collect()
-}
-
-/// What the arrows are, with the length of a round value.
-pub(crate) fn legend(results: &Results, look: &Look<'_>) -> Vec<Key> {
-    let key = |(what, size, length, (stroke, ink))| Key {
-        sample: Sample::Arrow(length, stroke, ink),
-        text: text!("arrow-told", what = what, size = size),
-    };
-    // Of the arrows of contacts, the length of a round force.
-    let round = round_length(TOLD * greatest_force(results));
-    let contacts = length_of_force(results).map(|length| Key {
-        sample: Sample::Arrow(round * length, Stroke::Solid, Ink::Second),
-        text: text!("contact-forces", size = quantity(plain(round), "N")),
-    });
-    scales(results, look).into_iter().map(key).chain(contacts).collect()
-}
-
-fn is_contact(results: &Results, load: LoadId) -> bool {
-    results.linkage.mechanism.loads[load].kind.contact().is_some()
-}
-
-fn acting(results: &Results, pose: &Position) -> Vec<Acting> {
-    let Some(found) = &results.found else { return Vec::new() };
-    let calculation = found.plans.calculation();
-    let Some(loads) = calculation.loads.as_ref().filter(|_| calculation.positions_have_forces()) else {
-        return Vec::new();
-    };
-    let mut all = loads.acting(&calculation.state(pose.coordinate), &pose.bodies);
-    all.retain(|load| matches!(load.cause, Cause::Load(load) if is_contact(results, load)));
-    all
-}
-
-/// K with its name, the normal force and the friction dashed, their sum full.
-pub(crate) fn contacts(results: &Results, pose: &Position) -> Vec<Item> {
-    let Some(length) = length_of_force(results) else { return Vec::new() };
-    let all = acting(results, pose);
-    let several = all.len() > 1;
-    let mut items = Vec::new();
-    for (number, load) in all.iter().enumerate() {
-        let (Some(at), Some([normal, friction])) =
-            (load.at, load.parts(&results.linkage.mechanism, &pose.bodies))
-        else {
-            continue;
-        };
-        let of = |symbol: Text| {
-            let number = several.then(|| name((number + 1).to_string()));
-            joined("", std::iter::once(symbol).chain(number))
-        };
-        let parts = [
-            (normal, name("Fc"), Stroke::Dashed),
-            (friction, text!("contact-friction"), Stroke::Dashed),
-            (load.wrench.force(), name("F"), Stroke::Solid),
-        ];
-        // Without friction the sum is the normal force.
-        let has_friction = friction[0].hypot(friction[1]) > 1e-12 * normal[0].hypot(normal[1]);
-        for (force, symbol, stroke) in parts.into_iter().take(if has_friction { 3 } else { 1 }) {
-            let to = plus(at, scaled(length, force));
-            items.push(Item::Arrow { from: at, to, stroke, ink: Ink::Second });
-            items.push(Item::name(to, of(symbol), Ink::Second));
+    /// What the vectors are, each force and moment with its size.
+    pub(crate) fn legend(&self, results: &Results) -> Vec<Key> {
+        let derivatives = ["arrow-first", "arrow-second"];
+        let rates = if has_motion(results) { ["arrow-velocity", "arrow-acceleration"] } else { derivatives };
+        let mut keys = Vec::new();
+        for Arrow { kind, vector, name, told, style, .. } in &self.arrows {
+            let size = match kind {
+                Kind::Force if length(*vector) > 0.0 => quantity(digits(length(*vector), 5), "N"),
+                Kind::Moment => quantity(digits(vector[0], 5), "N m"),
+                Kind::Force => continue,
+                // Their sizes are those of the plans.
+                Kind::Velocity | Kind::Acceleration => {
+                    let text = text!(rates[*kind as usize]);
+                    keys.push(Key { sample: Sample::Line(style.0, style.1), text });
+                    continue;
+                }
+            };
+            keys.push(plots::key([name, told], size, None, *style));
         }
-        items.push(Item::sign(at, Sign::Dot, Ink::Second));
-        items.push(Item::name(at, of(name("K")), Ink::Title));
+        keys.dedup();
+        plots::limited(keys)
     }
-    items
+
+    /// Gives a panel room for the vectors of all positions, and their scales.
+    pub(crate) fn fit(&self, panel: &mut Panel) {
+        let Frame::Plane { bounds, scales } = &mut panel.frame else { return };
+        bounds.add(self.bounds.low);
+        bounds.add(self.bounds.high);
+        scales.extend(self.scales.iter().flatten().map(|(scale, _)| scale.clone()));
+    }
+
+    fn tip(&self, Arrow { at, kind, vector, .. }: &Arrow) -> Point {
+        let scale = self.scales.get(*kind as usize).and_then(Option::as_ref);
+        scale.map_or(*at, |(_, length)| plus(*at, scaled(*length, *vector)))
+    }
 }
 
-fn greatest_force(results: &Results) -> f64 {
-    let is_of_contact = |column: Column| match column.owner {
-        Owner::Load(load) => column.quantity == Quantity::Load && is_contact(results, load),
-        _ => false,
+fn has_motion(results: &Results) -> bool {
+    results.found.as_deref().is_some_and(|found| found.plans.calculation().positions_move())
+}
+
+/// Whether what is drawn belongs to the instants of a transient motion and not to the positions.
+fn of_instants(look: &Look<'_>) -> bool {
+    matches!(look.arrows, Arrows::Loads | Arrows::Reactions)
+}
+
+/// Why the loads or reactions that are wanted can't be drawn; `None` where they are.
+pub fn missing(results: &Results, look: &Look<'_>) -> Option<Text> {
+    let lacks = arrows(results, look, look.position, look.part)?.1.is_empty() && of_instants(look);
+    lacks.then(|| Picture::Forces.missing(results, look, ViewPart::Overview).0)
+}
+
+/// The mechanism and the vectors that are wanted, in a position or at an instant.
+fn arrows(results: &Results, look: &Look<'_>, number: usize, part: f64) -> Option<(Position, Vec<Arrow>)> {
+    let (pose, state) = results.moving(number, part)?;
+    let kinds: &[Kind] = match look.arrows {
+        Arrows::Velocity => &[Kind::Velocity],
+        Arrows::Acceleration => &[Kind::Acceleration],
+        Arrows::Both => &[Kind::Velocity, Kind::Acceleration],
+        _ => &[],
     };
-    let all = results.found.iter().flat_map(|found| &found.series);
-    let of_contacts = all.filter(|series| is_of_contact(series.column));
-    of_contacts.map(|series| series.course.size()).fold(0.0, f64::max)
+    let rates = kinds.iter().flat_map(|kind| rates(results, &pose, &state, *kind));
+    let all = rates.chain(Acting::of(results, look.arrows, &pose, &state)).collect();
+    Some((pose, all))
 }
 
-/// Length, m, of an arrow of 1 N; equal in all positions, so that lengths can be compared.
-fn length_of_force(results: &Results) -> Option<f64> {
-    let [width, height] = results.outline.bounds.size();
-    let most = greatest_force(results);
-    (most > 0.0).then(|| LONGEST_FORCE * width.max(height) / most)
+/// v = PF1 w, a = PF2 w² + PF1 e of the moving points; without a motion PF1, PF2. Velocities are full arrows, accelerations dashed ones:
+/// distinguished without color.
+fn rates(results: &Results, pose: &Position, state: &LoadState, kind: Kind) -> Vec<Arrow> {
+    let points = results.linkage.mechanism.points.iter().enumerate();
+    let moving = points.filter(|(_, point)| point.places.iter().all(|place| place.link != GROUND));
+    let given = [state.speed, state.acceleration];
+    let [speed, acceleration] = if has_motion(results) { given } else { [1.0, 0.0] };
+    let arrow = |(id, point): (usize, &assur_mechanism::Point)| {
+        let motion = results.linkage.point_motion(id, pose);
+        let (vector, style) = if kind == Kind::Velocity {
+            (scaled(speed, motion.pf1), (Stroke::Solid, Ink::Velocity))
+        } else {
+            let vector = plus(scaled(speed * speed, motion.pf2), scaled(acceleration, motion.pf1));
+            (vector, (Stroke::Dashed, Ink::Acceleration))
+        };
+        let name = name(format!("{}_{{{}}}", SYMBOLS[kind as usize], point.name));
+        Arrow { at: motion.pf0, kind, vector, name, told: Text::default(), style }
+    };
+    moving.map(arrow).collect()
 }

@@ -2,8 +2,8 @@
 
 use assur_diagram::{JointForce, Share, Split};
 use assur_figure::number::digits;
-use assur_figure::{Ink, Key, Panel, Sample, Stroke};
-use assur_words::{Text, joined, name, quantity, text};
+use assur_figure::{Ink, Key, Panel, Scale, Stroke};
+use assur_words::{Text, name, quantity, text};
 
 use crate::{Found, Look, Reaction, Results, curves, plots};
 
@@ -36,9 +36,8 @@ fn drawn(parts: &[CauseShare]) -> impl Iterator<Item = (usize, &CauseShare, [f64
 
 /// `2 inertia  311.2 N`.
 fn key(number: usize, part: &CauseShare, [x, y]: [f64; 2]) -> Key {
-    let size = quantity(digits(x.hypot(y), 5), "N");
-    let told = joined("  ", [plots::numbered(number, part.cause.clone()), size]);
-    Key { sample: Sample::Line(Stroke::Solid, Ink::Second), text: told }
+    let (number, size) = (name((number + 1).to_string()), quantity(digits(x.hypot(y), 5), "N"));
+    plots::key([&number, &part.cause], size, None, (Stroke::Solid, Ink::Second))
 }
 
 /// The shares of all causes in a reaction.
@@ -84,7 +83,7 @@ fn sum_of(parts: &[CauseShare]) -> Option<Panel> {
     }
     let told = text!("forces-sum");
     vectors.push((plots::arrow([[0.0; 2], at], &told, Ink::First), told));
-    (vectors.len() > 1).then(|| plots::vectors(Text::default(), vectors, ("N", "F"), None))
+    (vectors.len() > 1).then(|| plots::vectors(vectors, Scale::of("F", "N"), None))
 }
 
 /// Curves of the chosen reaction, with the given series; for one that it does not have, the last one.

@@ -1,10 +1,10 @@
 //! Reactions over the cycle, their hodographs and their causes.
 
-use assur_figure::{Bounds, Figure, Frame, Ink, Item, Panel, Point, Sign, Stroke};
-use assur_words::{Text, list, name, quantity, text};
+use assur_figure::{Bounds, Figure, Ink, Item, Key, Panel, Point, Sample, Scale, Sign, Stroke};
+use assur_words::{Text, joined, list, name, quantity, text, unit};
 
 pub use crate::friction::beside_friction;
-use crate::{Found, Look, Reaction, Results, Series, ViewPart, causes, curves};
+use crate::{Found, Look, Reaction, Results, Series, ViewPart, causes, curves, plots};
 
 /// The chosen reaction: its modulus beside its hodograph, its projections, its hodograph, or its causes.
 pub fn figure(results: &Results, look: &Look<'_>, part: ViewPart) -> Figure {
@@ -24,15 +24,15 @@ pub fn figure(results: &Results, look: &Look<'_>, part: ViewPart) -> Figure {
         }
         ViewPart::Curves => causes::curves(results, look, found, &[0, 1, 2]),
         ViewPart::Hodograph => {
-            let mut panels: Vec<Panel> = hodograph(found, look).into_iter().collect();
+            let mut panels: Vec<Panel> = hodograph(results, found, look, &mut legend).into_iter().collect();
             let touching = |reaction| beside_friction(found, look.position, reaction);
             panels.extend(chosen(found, look).and_then(touching));
             panels
         }
-        _ => causes::curves(results, look, found, &[usize::MAX])
-            .into_iter()
-            .chain(hodograph(found, look))
-            .collect(),
+        _ => {
+            let hodograph = hodograph(results, found, look, &mut legend);
+            causes::curves(results, look, found, &[usize::MAX]).into_iter().chain(hodograph).collect()
+        }
     };
     let columns = match part {
         ViewPart::Causes => 2,
@@ -82,16 +82,36 @@ fn largest_difference(results: &Results, found: &Found, other: &Found) -> f64 {
     all.fold(0.0, f64::max)
 }
 
-/// The path of the tip of the force over the cycle, with the force of the position.
-fn hodograph(found: &Found, look: &Look<'_>) -> Option<Panel> {
+/// Least distance of two positions that are marked on a hodograph, as part of its size.
+const APART: f64 = 0.12;
+
+/// The path of the tip of the force over the cycle with axes and some positions by their numbers, and the force of the position.
+fn hodograph(results: &Results, found: &Found, look: &Look<'_>, legend: &mut Vec<Key>) -> Option<Panel> {
     let reaction = chosen(found, look).filter(|reaction| reaction.series.len() == 3)?;
-    let [xs, ys] = [0, 1].map(|axis| &found.series[reaction.series[axis]]);
+    let [xs, ys, size] = [0, 1, 2].map(|part| &found.series[reaction.series[part]]);
+    let force = joined(": ", [results.place(look.position), size.show(look.position)]);
+    let key = |sample, text| Key { sample, text };
+    legend.push(key(Sample::Line(Stroke::Solid, Ink::First), force));
+    legend.push(key(Sample::Line(Stroke::Dashed, Ink::Second), text!("forces-path")));
+    legend.push(key(Sample::Sign(Sign::Node, Ink::Title), text!("forces-numbers")));
     let tips: Vec<Point> = xs.course.against(&ys.course);
     let bounds = Bounds::around(tips.iter().copied().chain([[0.0; 2]]));
-    let tip = xs.course.get(look.position).zip(ys.course.get(look.position)).map(|(x, y)| [x, y]);
-    let mut items = vec![Item::line(tips, Stroke::Dashed, Ink::Second)];
-    items.extend(tip.map(|to| Item::Arrow { from: [0.0; 2], to, stroke: Stroke::Solid, ink: Ink::First }));
+    let tip = |position| Some([xs.course.get(position)?, ys.course.get(position)?]);
+    let mut items = plots::axes(&bounds, ["Fx", "Fy"].map(|symbol| list([name(symbol), unit("N")])));
+    items.push(Item::line(tips, Stroke::Dashed, Ink::Second));
+    let now = tip(look.position);
+    items.extend(now.map(|to| Item::Arrow { from: [0.0; 2], to, stroke: Stroke::Solid, ink: Ink::First }));
+    let apart = APART * bounds.size().into_iter().fold(0.0, f64::max);
+    let mut marked: Vec<Point> = Vec::new();
+    let numbers = std::iter::once(look.position).chain(xs.course.nodes().iter().map(|node| node.number));
+    for (number, at) in numbers.filter_map(|number| Some((number, tip(number)?))) {
+        if marked.iter().all(|other| (at[0] - other[0]).hypot(at[1] - other[1]) > apart) {
+            marked.push(at);
+            items.push(Item::sign(at, Sign::Node, Ink::Title));
+            items.push(Item::name(at, name(number.to_string()), Ink::Title));
+        }
+    }
     items.push(Item::sign([0.0; 2], Sign::Plus, Ink::Title));
-    let frame = Frame::Plane { bounds, unit: "N".into(), factor: 1.0, scale: ("F", "N".into()) };
-    Some(Panel { title: text!("forces-hodograph", reaction = &reaction.name), frame, items })
+    let title = text!("forces-hodograph", reaction = &reaction.name);
+    Some(Panel { title, ..Panel::plane(bounds, Scale::of("F", "N"), items) })
 }

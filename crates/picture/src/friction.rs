@@ -3,7 +3,7 @@
 use assur_analysis::results::{Column, Owner, Part, Quantity};
 use assur_diagram::{friction_circle, friction_cone};
 use assur_figure::number::digits;
-use assur_figure::{Bounds, Frame, Ink, Item, Panel, Point, Sign, Stroke};
+use assur_figure::{Bounds, Ink, Item, Panel, Point, Scale, Sign, Stroke};
 use assur_group::Order;
 use assur_mechanism::{PairId, Surfaces};
 use assur_words::{Text, name, quantity, text};
@@ -68,10 +68,9 @@ fn circle(reaction: &Text, radius: f64, force: Point, lever: f64) -> Panel {
         Item::name(along(FORCE), name("R"), Ink::Title),
     ];
     let bounds = Bounds { low: [-ROOM * radius; 2], high: [ROOM * radius; 2] };
-    let frame = Frame::Plane { bounds, unit: "mm".into(), factor: 1e3, scale: ("l", "m".into()) };
     let radius = quantity(digits(1e3 * radius, 4), "mm");
     let title = text!("friction-circle", reaction = reaction, radius = radius);
-    Panel { title, frame, items }
+    Panel { title, ..Panel::plane(bounds, Scale::of("l", "m"), items) }
 }
 
 /// The force of a slide with its part across the guide, between the lines that lean from that by the angle of friction.
@@ -96,6 +95,5 @@ fn cone(title: Text, angle: f64, force: Point, (along, pressing): (Point, f64)) 
         Item::name(force, name("R"), Ink::Title),
     ];
     let bounds = Bounds::around(items.iter().flat_map(Item::points));
-    let frame = Frame::Plane { bounds, unit: "N".into(), factor: 1.0, scale: ("F", "N".into()) };
-    Panel { title, frame, items }
+    Panel { title, ..Panel::plane(bounds, Scale::of("F", "N"), items) }
 }

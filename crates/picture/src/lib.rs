@@ -1,7 +1,7 @@
 //! Pictures of results: each is a function from what was calculated, and from what of it is shown, to panels of a
 //! [`Figure`](assur_figure::Figure).
 //!
-//! * [`mechanism`]: the mechanism to scale, with paths and [`arrows`], and its structure.
+//! * [`mechanism`]: the mechanism to scale, with paths and arrows, and its structure.
 //! * [`curves`]: quantities over the positions.
 //! * [`plans`]: force polygons, plans of velocities and accelerations, constructions.
 //! * [`forces`]: reactions over the cycle, beside the friction of their pairs, and by [`causes`].
@@ -11,7 +11,8 @@
 //!
 //! Knows no terminal, no file and no state of a screen.
 
-pub mod arrows;
+mod acting;
+mod arrows;
 pub mod causes;
 pub mod curves;
 mod events;
@@ -33,6 +34,7 @@ mod results;
 mod series;
 mod view;
 
+pub use arrows::missing;
 pub use found::{Found, Reaction};
 pub use outline::Outline;
 pub use planner::{Planner, Plans};
@@ -44,7 +46,7 @@ pub use view::Picture;
 use assur_book::{Fact, Unit};
 use assur_kinematics::Linkage;
 use assur_words::{Text, joined};
-use strum::{IntoStaticStr, VariantArray};
+use strum::{EnumString, IntoStaticStr, VariantArray, VariantNames};
 
 assur_words::resources!();
 
@@ -75,8 +77,10 @@ pub struct Look<'a> {
     pub column: usize,
     /// Short names of the quantities that lie over each other; none: PF0, PF1, PF2 of the chosen one.
     pub picked: &'a [String],
-    /// Arrows of the points.
+    /// Vectors on the mechanism.
     pub arrows: Arrows,
+    /// Whether the position is drawn alone, so that no other one needs the same scales of vectors.
+    pub alone: bool,
     /// Paths of the points.
     pub traces: Traces,
     /// How many groups are joined to the input link; `None`: all.
@@ -146,18 +150,25 @@ pub enum ViewPart {
     Events,
 }
 
-/// Which derivatives of the points are drawn as arrows.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, VariantArray)]
+/// Which vectors are drawn on the mechanism; their names are those of `--arrows`.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash, VariantArray, EnumString, VariantNames)]
+#[strum(serialize_all = "kebab-case")]
 pub enum Arrows {
     /// None of them.
     None,
-    /// First derivatives.
+    /// First derivatives of the points.
     #[default]
+    #[strum(serialize = "velocities")]
     Velocity,
-    /// Second derivatives.
+    /// Second derivatives of the points.
+    #[strum(serialize = "accelerations")]
     Acceleration,
-    /// Both.
+    /// Both derivatives.
     Both,
+    /// What acts on the links from outside, with their weights and inertia loads.
+    Loads,
+    /// The forces of the pairs.
+    Reactions,
 }
 
 /// Which paths of the points are drawn.

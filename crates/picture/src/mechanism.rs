@@ -2,11 +2,12 @@
 
 use assur_analysis::results::Owner;
 use assur_figure::mechanism::Drawing;
-use assur_figure::{Figure, Frame, Ink, Item, Key, Panel, Sample, Sign, Stroke};
+use assur_figure::{Figure, Frame, Ink, Item, Key, Panel, Sample, Scale, Sign, Stroke};
 use assur_kinematics::Position;
-use assur_words::{Text, joined, name};
+use assur_words::{joined, name};
 
-use crate::{Look, Outline, Probe, Results, Traces, arrows};
+use crate::arrows::Shown;
+use crate::{Look, Outline, Probe, Results, Traces};
 
 /// A trail shows a path divided by this number.
 const TRAIL: usize = 4;
@@ -22,23 +23,27 @@ pub fn figure(results: &Results, look: &Look<'_>, marked: &[usize]) -> Figure {
     // While the structure is put together, the links of the groups that are not joined yet.
     let hidden = look.joined.map_or_else(Vec::new, |group| links_from(results, group));
     let drawing = Drawing { hidden: &hidden, ..drawing(results, marked) };
-    match results.pose(position, look.part) {
-        Some(pose) => {
-            items.extend(drawing.items(&pose));
-            items.extend(arrows::items(results, look, &pose));
-            items.extend(arrows::contacts(results, &pose));
-            items.extend(look.probe.iter().flat_map(|probe| of_probe(results, probe, &pose)));
+    let shown = Shown::of(results, look);
+    match &shown {
+        Some(shown) => {
+            items.extend(drawing.items(&shown.pose));
+            items.extend(shown.items());
+            items.extend(look.probe.iter().flat_map(|probe| of_probe(results, probe, &shown.pose)));
         }
         None => items.extend(broken(results, marked, position)),
     }
-    let at = results.place(position);
+    let at = Shown::place(results, look);
     let title = match results.linkage.mechanism.title.as_str() {
         "" => at,
         title => joined(": ", [name(title.to_owned()), at]),
     };
-    let mut legend = arrows::legend(results, look);
+    let mut legend = shown.as_ref().map_or_else(Vec::new, |shown| shown.legend(results));
     legend.extend(links(&drawing));
-    Figure { title, legend, ..Figure::of(plane(results, items)) }
+    let mut panel = plane(results, items);
+    if let Some(shown) = &shown {
+        shown.fit(&mut panel);
+    }
+    Figure { title, legend, ..Figure::of(panel) }
 }
 
 /// The first position with some links in other places: those of it that are `marked`; what follows from them is `hidden`. The
@@ -67,9 +72,7 @@ pub fn still(results: &Results) -> Figure {
 
 /// The plane in which the mechanism lies, with what is drawn in it.
 pub fn plane(results: &Results, items: Vec<Item>) -> Panel {
-    let bounds = results.outline.bounds;
-    let frame = Frame::Plane { bounds, unit: "mm".into(), factor: 1e3, scale: ("l", "m".into()) };
-    Panel { title: Text::default(), frame, items }
+    Panel::plane(results.outline.bounds, Scale::of("l", "m"), items)
 }
 
 /// The drawing of the mechanism; the links in `marked` are highlighted.

@@ -2,13 +2,11 @@
 
 use assur_analysis::results::Dynamics;
 use assur_figure::number::digits;
-use assur_figure::{Bounds, Frame, Ink, Item, Key, Panel, Point, Sample, Sign, Stroke};
+use assur_figure::{Bounds, Ink, Item, Key, Panel, Point, Sample, Scale, Sign, Stroke, one_scale};
 use assur_mechanism::{InputPair, Mechanism};
 use assur_motor::{FlywheelSize, Motor, catalogues};
 use assur_report::topic::flywheel_shaft;
 use assur_words::{Text, joined, list, name, number, quantity, text};
-
-use crate::plots;
 
 /// Inks of the parts.
 const MOTOR: Ink = Ink::Link(1);
@@ -28,11 +26,10 @@ pub(crate) fn panels(mechanism: &Mechanism, dynamics: &Dynamics) -> Vec<Panel> {
     let panel = |wheel: &FlywheelSize| {
         let (title, items) = drive(mechanism, dynamics, wheel);
         let bounds = Bounds::around(items.iter().flat_map(Item::points));
-        let frame = Frame::Plane { bounds, unit: "mm".into(), factor: 1e3, scale: ("l", "m".into()) };
-        Panel { title, frame, items }
+        Panel { title, ..Panel::plane(bounds, Scale::of("l", "m"), items) }
     };
     let mut panels: Vec<Panel> = dynamics.flywheel_places.iter().map(panel).collect();
-    plots::one_scale(&mut panels);
+    one_scale(panels.iter_mut());
     panels
 }
 

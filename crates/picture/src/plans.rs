@@ -2,8 +2,9 @@
 
 use assur_diagram::{PlanVector, VectorPlan, construction_picture};
 use assur_figure::number::digits;
-use assur_figure::{Bounds, Figure, Frame, Ink, Item, Key, Panel, Sample, Sign, Stroke};
-use assur_force::{Construction, Drawing, VectorKind};
+use assur_figure::{Bounds, Figure, Frame, Ink, Item, Key, Panel, Scale, Sign, Stroke, one_scale};
+use assur_force::{Construction, ConstructionStep, Drawing, VectorKind};
+use assur_group::plane::cross;
 use assur_words::{Describe, Text, joined, name, number, quantity, text};
 
 use crate::{Found, Look, Plans, Results, ViewPart, mechanism, plots};
@@ -75,7 +76,7 @@ pub fn figure(results: &Results, look: &Look<'_>, part: ViewPart) -> Figure {
                 && let Shown::Plan(plan) = shown(found, look, part, plans)
             {
                 panels.insert(0, panel_of_plan(part, plan));
-                plots::one_scale(&mut panels);
+                one_scale(panels.iter_mut());
                 (panels[0].title, panels[1].title) = (results.place(*position), results.place(look.position));
             }
             let legend = keys(part, plan);
@@ -84,33 +85,32 @@ pub fn figure(results: &Results, look: &Look<'_>, part: ViewPart) -> Figure {
         Shown::Construction(construction, last) => {
             let (method, step) = (construction.title.clone(), number(last + 1));
             let title = text!("plans-step", construction = method, step = step);
-            let panel = panel_of_steps(results, look, construction, last);
-            Figure { title, columns: 1, panels: panel.into_iter().collect(), legend: Vec::new() }
+            let drawn = panel_of_steps(results, look, construction, last);
+            drawn.map_or_else(Figure::default, |(panel, legend)| Figure {
+                title,
+                legend,
+                ..Figure::of(panel)
+            })
         }
         Shown::Nothing(_) => Figure::default(),
     }
 }
 
-/// What the labels of a plan stand for, with the sizes; of a plan with very many the first ones, and how many more there are.
+/// What the labels of a plan stand for, with the sizes.
 fn keys(part: ViewPart, plan: &VectorPlan) -> Vec<Key> {
-    /// Entries of a legend that leave room for the plan.
-    const MOST: usize = 24;
-    let named = labelled(part, plan);
-    let more = named.len().saturating_sub(MOST);
     let key = |(label, item): (String, &PlanVector)| {
         let size = quantity(digits(item.size, 5), item.unit.clone());
-        // An absolute vector is called by its point already.
-        let what = match item.kind {
-            VectorKind::Absolute => name(label),
-            _ if ink_of(part, item) == Ink::Trace => item.name.clone(),
-            _ => joined(" ", [name(label), item.name.clone()]),
+        let (ink, label, none) = (ink_of(part, item), name(label), Text::default());
+        // An absolute vector is called by its point already, a relative one by its name alone.
+        let names = match item.kind {
+            VectorKind::Absolute => [&label, &none],
+            _ if ink == Ink::Trace => [&none, &item.name],
+            _ => [&label, &item.name],
         };
-        let stroke = if ink_of(part, item) == Ink::Trace { Stroke::Dotted } else { Stroke::Solid };
-        Key { sample: Sample::Line(stroke, ink_of(part, item)), text: joined("  ", [what, size]) }
+        let stroke = if ink == Ink::Trace { Stroke::Dotted } else { Stroke::Solid };
+        plots::key(names, size, None, (stroke, ink))
     };
-    let rest =
-        Key { sample: Sample::Line(Stroke::Dotted, Ink::Trace), text: text!("plans-more", count = more) };
-    named.into_iter().take(MOST).map(key).chain((more > 0).then_some(rest)).collect()
+    plots::limited(labelled(part, plan).into_iter().map(key).collect())
 }
 
 /// Whether forces are determined in a position.
@@ -131,12 +131,12 @@ pub(crate) fn panel_of_plan(part: ViewPart, plan: &VectorPlan) -> Panel {
         let name = if ink == Ink::Trace { Text::default() } else { name(label) };
         (plots::arrow([item.start, item.end], &name, ink), name)
     });
-    let (unit, symbol, pole) = match part {
-        ViewPart::Velocities => (plan.unit.as_str(), "v", Some(POLES[0])),
-        ViewPart::Accelerations => (plan.unit.as_str(), "a", Some(POLES[1])),
-        _ => (plan.unit.as_str(), "F", None),
+    let (symbol, pole) = match part {
+        ViewPart::Velocities => ("v", Some(POLES[0])),
+        ViewPart::Accelerations => ("a", Some(POLES[1])),
+        _ => ("F", None),
     };
-    let mut panel = plots::vectors(Text::default(), vectors.collect(), (unit, symbol), pole);
+    let mut panel = plots::vectors(vectors.collect(), Scale::of(symbol, &plan.unit), pole);
     // The relative components of a plan of velocities or accelerations are named where there is room.
     let components = plan.items.iter().filter(|item| pole.is_some() && ink_of(part, item) == Ink::Trace);
     panel.items.extend(components.map(|item| Item::Name {
@@ -183,11 +183,16 @@ fn chosen_step(plans: &Plans, step: usize) -> Option<(&Construction, usize)> {
 }
 
 /// The drawing of the last step with the steps up to it, on the place that all its steps take: the mechanism under the steps in it
-/// and the polygon laid off from its corner, or the lever.
-fn panel_of_steps(results: &Results, look: &Look<'_>, drawn: &Construction, last: usize) -> Option<Panel> {
+/// and the polygon laid off from its corner, or the lever; and what its vectors are, with the arms of those on the lever.
+fn panel_of_steps(
+    results: &Results,
+    look: &Look<'_>,
+    drawn: &Construction,
+    last: usize,
+) -> Option<(Panel, Vec<Key>)> {
     let step = drawn.steps.get(last)?;
     let on_lever = step.drawing == Drawing::Lever;
-    let all = construction_picture(drawn, on_lever);
+    let (all, newtons) = construction_picture(drawn, on_lever);
     let mut place = Bounds::around(all.iter().flat_map(|(_, ends)| *ends));
     let mut beneath = Vec::new();
     if !on_lever {
@@ -203,7 +208,13 @@ fn panel_of_steps(results: &Results, look: &Look<'_>, drawn: &Construction, last
         let items = items.into_iter().filter(|item| !is_radius(item));
         beneath = items.flat_map(|item| item.within(&place)).collect();
     }
-    let made = all.into_iter().take_while(|(number, _)| *number <= last);
+    let image = drawn.steps.iter().find(|step| step.kind == VectorKind::Absolute);
+    let unit = image.map_or("m", |step| step.unit);
+    let scale = if on_lever { Scale::of("v", unit) } else { Scale::of("l", "m") };
+    let made: Vec<_> = all.into_iter().take_while(|(number, _)| *number <= last).collect();
+    let arm_in = on_lever.then_some(unit);
+    let keys = made.iter().filter_map(|(number, _)| key_of_step(&drawn.steps[*number], arm_in));
+    let legend = plots::limited(keys.collect());
     let vector = |(number, ends): (usize, [[f64; 2]; 2])| {
         let step = &drawn.steps[number];
         // A line is named while it is the last step; its ends have names. So is a vector too short to be seen.
@@ -219,15 +230,29 @@ fn panel_of_steps(results: &Results, look: &Look<'_>, drawn: &Construction, last
         };
         Some((item, name))
     };
-    let vectors = made.filter_map(vector).collect();
-    let image = drawn.steps.iter().find(|step| step.kind == VectorKind::Absolute);
-    let (unit, symbol) = if on_lever { (image.map_or("m", |step| step.unit), "v") } else { ("m", "l") };
-    let mut panel = plots::vectors(Text::default(), vectors, (unit, symbol), on_lever.then_some(POLES[0]));
+    let vectors = made.into_iter().filter_map(vector).collect();
+    let mut panel = plots::vectors(vectors, scale, on_lever.then_some(POLES[0]));
     panel.items.splice(0..0, beneath);
-    if let Frame::Plane { bounds, .. } = &mut panel.frame {
+    if let Frame::Plane { bounds, scales } = &mut panel.frame {
         *bounds = place;
+        scales.extend((newtons > 0.0).then(|| Scale::vectors("F", "N", newtons)));
     }
-    Some(panel)
+    Some((panel, legend))
+}
+
+/// `F6 cutting  1500 N  h = 0.2 m/rad`, the last being the arm of a force about the pole of a lever in this unit; `None` of a line, a
+/// point, and a force of zero.
+fn key_of_step(step: &ConstructionStep, arm_in: Option<&'static str>) -> Option<Key> {
+    let size = length([[0.0; 2], step.vector]);
+    if matches!(step.kind, VectorKind::Line | VectorKind::Point) || size == 0.0 {
+        return None;
+    }
+    let arm = arm_in.filter(|_| step.unit == "N").map(|unit| {
+        let arm = digits(cross(step.start, step.vector).abs() / size, 5);
+        joined(" = ", [name("h"), quantity(arm, unit)])
+    });
+    let size = quantity(digits(size, 5), step.unit);
+    Some(plots::key([&step.name, &step.of], size, arm, (Stroke::Solid, ink(step.kind))))
 }
 
 fn length([from, to]: [[f64; 2]; 2]) -> f64 {

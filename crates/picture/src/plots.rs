@@ -1,9 +1,13 @@
 //! Panels of figures: curves over the positions or over time, and vectors in a plane of their own.
 
+use std::f64::consts::PI;
+
 use assur_analysis::results::{Column, Owner, Quantity, Table};
 use assur_book::{Course, Node, Unit};
 use assur_figure::number::digits;
-use assur_figure::{Axis, AxisKind, Bounds, Cursor, Frame, Ink, Item, Panel, Point, Sign, Stroke};
+use assur_figure::{
+    Axis, AxisKind, Bounds, Cursor, Frame, Ink, Item, Key, Panel, Point, Sample, Scale, Sign, Stroke,
+};
 use assur_kinematics::Linkage;
 use assur_words::{Text, joined, list, name, number, text, unit};
 
@@ -123,10 +127,61 @@ pub fn numbered(at: usize, told: Text) -> Text {
     joined(" ", [name((at + 1).to_string()), told])
 }
 
-/// The head of an arrow at the end of a line of several points, however short its last piece is.
-pub(crate) fn head_of(line: &[Point], ink: Ink) -> Item {
-    let [from, at] = *line.last_chunk().unwrap_or(&[[0.0; 2]; 2]);
-    Item::Sign { at, along: [0, 1].map(|axis| at[axis] - from[axis]), sign: Sign::Head, ink }
+/// A moment as three quarters of a circle in its sense, from an angle on, with its head however short the last piece is; and the middle of
+/// the arc, where its name stands.
+pub(crate) fn moment([x, y]: Point, radius: f64, from: f64, moment: f64, ink: Ink) -> ([Item; 2], Point) {
+    /// Straight pieces of the arc.
+    const PIECES: usize = 48;
+    let arc: [Point; PIECES + 1] = std::array::from_fn(|piece| {
+        let (s, c) = (from + moment.signum() * 1.5 * PI * piece as f64 / PIECES as f64).sin_cos();
+        [x + radius * c, y + radius * s]
+    });
+    let [before, at] = [arc[PIECES - 1], arc[PIECES]];
+    let head = Item::Sign { at, along: [0, 1].map(|axis| at[axis] - before[axis]), sign: Sign::Head, ink };
+    ([Item::line(arc, Stroke::Solid, ink), head], arc[PIECES / 3])
+}
+
+/// What a vector is, with its size: `F6 cutting  1500 N`; `further` stands behind it.
+pub(crate) fn key(names: [&Text; 2], size: Text, further: Option<Text>, (stroke, ink): Style) -> Key {
+    let names = joined(" ", names.into_iter().filter(|name| !name.is_empty()).cloned());
+    let text = joined("  ", [names, size].into_iter().chain(further));
+    Key { sample: Sample::Line(stroke, ink), text }
+}
+
+/// Entries of a legend that leave room for the drawing; of very many the first ones, and how many more there are.
+pub(crate) fn limited(mut keys: Vec<Key>) -> Vec<Key> {
+    /// Entries that are shown.
+    const MOST: usize = 24;
+    let more = keys.len().saturating_sub(MOST);
+    keys.truncate(MOST);
+    let sample = Sample::Line(Stroke::Dotted, Ink::Trace);
+    keys.extend((more > 0).then(|| Key { sample, text: text!("plans-more", count = more) }));
+    keys
+}
+
+/// The axes of a plane through its origin with a few round numbers, each with its name at its end.
+pub(crate) fn axes(bounds: &Bounds, names: [Text; 2]) -> Vec<Item> {
+    /// Most numbers of an axis, and half the length of their marks as part of the size of the plane.
+    const NUMBERS: usize = 4;
+    const MARK: f64 = 0.008;
+    /// A side of the plane below this part of the other is rounding, and no number on its axis is seen.
+    const FLAT: f64 = 1e-6;
+    let size = bounds.size().into_iter().fold(0.0, f64::max);
+    let mark = MARK * size;
+    let mut items = Vec::new();
+    for (axis, label) in names.into_iter().enumerate() {
+        let place = |along: f64, across: f64| if axis == 0 { [along, across] } else { [across, along] };
+        let range = [bounds.low[axis], bounds.high[axis]];
+        let own = Axis { label, range, kind: AxisKind::Linear };
+        items.push(Item::line(range.map(|end| place(end, 0.0)), Stroke::Solid, Ink::Dim));
+        for (at, text) in own.ticks(NUMBERS).into_iter().filter(|(at, _)| at.abs() > FLAT * size) {
+            items.push(Item::line([-mark, mark].map(|across| place(at, across)), Stroke::Solid, Ink::Dim));
+            items.push(Item::name(place(at, 0.0), text, Ink::Dim));
+        }
+        let end = if range[1] > -range[0] { range[1] } else { range[0] };
+        items.push(Item::name(place(end, 0.0), own.label, Ink::Dim));
+    }
+    items
 }
 
 /// A vector from one point to another; without a name it is a thin line.
@@ -138,14 +193,9 @@ pub(crate) fn arrow([from, to]: [Point; 2], name: &Text, ink: Ink) -> Item {
     }
 }
 
-/// Arrows, lines and points that are drawn together, each with its name, which may be empty; in a unit, with the index of its scale
-/// factor. With a pole, it is marked and names are at the tips, as in textbooks.
-pub(crate) fn vectors(
-    title: Text,
-    vectors: Vec<(Item, Text)>,
-    (unit, symbol): (&str, &'static str),
-    pole: Option<&'static str>,
-) -> Panel {
+/// Arrows, lines and points that are drawn together, each with its name, which may be empty; to a scale. With a pole, it is marked and
+/// names are at the tips, as in textbooks.
+pub(crate) fn vectors(vectors: Vec<(Item, Text)>, scale: Scale, pole: Option<&'static str>) -> Panel {
     let part = if pole.is_some() { 1.0 } else { 0.6 };
     let name_of = |(item, text): &(Item, Text)| {
         let part = if matches!(item, Item::Line { .. }) { 0.5 } else { part };
@@ -161,25 +211,7 @@ pub(crate) fn vectors(
         items.push(Item::name([0.0; 2], name(pole), Ink::Title));
     }
     let bounds = Bounds::around(items.iter().flat_map(Item::points));
-    let frame = Frame::Plane { bounds, unit: unit.into(), factor: 1.0, scale: (symbol, unit.into()) };
-    Panel { title, frame, items }
-}
-
-/// Gives all panels the bounds of the largest one, so that they have one scale.
-pub fn one_scale<'a>(panels: impl IntoIterator<Item = &'a mut Panel>) {
-    let mut panels: Vec<&mut Panel> = panels.into_iter().collect();
-    let of = |panel: &&mut Panel| {
-        if let Frame::Plane { bounds, .. } = &panel.frame { bounds.size() } else { [0.0; 2] }
-    };
-    let most =
-        panels.iter().map(of).fold([0.0_f64; 2], |most, size| [most[0].max(size[0]), most[1].max(size[1])]);
-    for panel in &mut panels {
-        if let Frame::Plane { bounds, .. } = &mut panel.frame {
-            let center = bounds.center();
-            let corner = |side: f64| [0, 1].map(|axis| center[axis] + side * most[axis] / 2.0);
-            *bounds = Bounds { low: corner(-1.0), high: corner(1.0) };
-        }
-    }
+    Panel::plane(bounds, scale, items)
 }
 
 /// A quantity of the input over the samples of the motion: over their times, or over their coordinates.

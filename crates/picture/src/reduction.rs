@@ -1,23 +1,22 @@
 //! The reduction to the input link: the mechanism, its plan of velocities, the link with the reduced force and mass at its point
 //! (E fig. 1), and the disc that stands for the machine (D fig. 3.17).
 
-use std::f64::consts::FRAC_PI_2;
-
-use assur_analysis::results::{Column, Owner, Quantity};
+use assur_diagram::velocity_plan;
 use assur_figure::number::digits;
-use assur_figure::{Bounds, Frame, Ink, Item, Panel, Point, Sign, Stroke};
+use assur_figure::{Bounds, Ink, Item, Panel, Point, Scale, Sign, Stroke};
+use assur_force::LoadState;
+use assur_kinematics::Position;
 use assur_mechanism::{InputPair, PointId, ReductionPoint};
 use assur_words::{Text, name, quantity, text};
 
 use crate::{Found, Look, Results, ViewPart, mechanism, plans, plots};
 
-/// Half the side of a picture, in radii of the point of reduction.
-const ROOM: f64 = 1.5;
-/// Straight pieces of an arc.
-const PIECES: usize = 48;
 /// Radius of the arc of a moment, in radii.
 const ARC: f64 = 1.2;
-/// What is reduced in a position, to the input link and to its farthest point.
+/// Positions or instants that are looked at for the greatest moment.
+const LOOKED_AT: usize = 96;
+
+/// What is reduced in a position or at an instant, to the input link and to its farthest point.
 struct Reduced {
     name: Text,
     radius: f64,
@@ -31,40 +30,45 @@ struct Reduced {
     /// Reduced moment of inertia, with that of flywheel and rotor.
     inertia: f64,
     has_shaft: bool,
+    pose: Position,
+    state: LoadState,
 }
 
 impl Reduced {
-    /// Of a mechanism whose input link turns, where its reduction is calculated.
+    /// Of a mechanism whose input link turns, where its loads are known.
     fn of(results: &Results, look: &Look<'_>, found: &Found) -> Option<Self> {
-        let (table, _) = found.rows();
-        let (point, row) =
-            (ReductionPoint::farthest(&results.linkage.mechanism)?, table.row_of(look.position)?);
-        let InputPair::Pin(pin) = results.linkage.mechanism.input.pair else { return None };
-        let pose = results.pose(look.position, 0.0)?;
-        let motion = |id: PointId| results.linkage.point_motion(id, &pose);
-        let of = |quantity| table.schema().find(Column::of(quantity, Owner::Input));
-        let moments = of(Quantity::ReducedMoment)?;
-        let shaft = found.analysis.dynamics.as_ref().map_or(0.0, |found| found.regime.found.drive_inertia);
-        let tip = motion(point.point.id);
+        let (linkage, calculation) = (&results.linkage, found.plans.calculation());
+        let point = ReductionPoint::farthest(&linkage.mechanism)?;
+        let InputPair::Pin(pin) = linkage.mechanism.input.pair else { return None };
+        let loads = calculation.loads.as_ref()?;
+        let place = |number| results.moving(number, 0.0);
+        let count = results.positions();
+        let all = (0..count).step_by(count.div_ceil(LOOKED_AT).max(1)).filter_map(place);
+        let moments = all.map(|(pose, state)| loads.reduced(&state, &pose.bodies).moment.abs());
+        let most = moments.fold(0.0, f64::max);
+        let (pose, state) = place(look.position)?;
+        let motion = |id: PointId| linkage.point_motion(id, &pose);
+        let reduced = loads.reduced(&state, &pose.bodies);
+        let shaft = calculation.drive_in(&state).map_or(0.0, |[_, shaft]| shaft);
+        let (pin, tip) = (motion(pin).pf0, motion(point.point.id));
         Some(Self {
             name: Text::from(&point.point),
             radius: point.radius,
-            pin: motion(pin).pf0,
+            pin,
             tip: tip.pf0,
             along: tip.pf1,
-            moment: table.at(row, moments)?,
-            most: table.each(moments).flatten().fold(0.0_f64, |most, moment| most.max(moment.abs())),
-            inertia: table.at(row, of(Quantity::ReducedInertia)?)? + shaft,
+            moment: reduced.moment,
+            most: most.max(reduced.moment.abs()),
+            inertia: reduced.inertia + shaft,
             has_shaft: shaft > 0.0,
+            pose,
+            state,
         })
     }
 
     fn panel(&self, title: Text, items: Vec<Item>) -> Panel {
-        let corner = |side: f64| self.pin.map(|at| at + side * ROOM * self.radius);
-        let bounds = Bounds { low: corner(-1.0), high: corner(1.0) };
-        let frame = Frame::Plane { bounds, unit: "m".into(), factor: 1.0, scale: ("l", "m".into()) };
         let title = if self.has_shaft { text!("reduction-with-flywheel", told = title) } else { title };
-        Panel { title, frame, items }
+        Panel { title, ..around(items) }
     }
 
     /// A place in polar coordinates around the pin, in radii.
@@ -99,16 +103,19 @@ impl Reduced {
             Item::sign(self.pin, Sign::Bearing, Ink::Ground),
         ];
         if self.moment != 0.0 {
-            let at = |part: f64| self.polar(ARC, angle + self.moment.signum() * FRAC_PI_2 * part);
-            let arc: Vec<Point> = (0..=PIECES).map(|piece| at(piece as f64 / PIECES as f64)).collect();
-            items.push(Item::name(at(0.5), name("M"), Ink::Title));
-            items.push(plots::head_of(&arc, Ink::Second));
-            items.push(Item::line(arc, Stroke::Solid, Ink::Second));
+            let (arc, middle) = plots::moment(self.pin, ARC * self.radius, angle, self.moment, Ink::Second);
+            items.extend(arc);
+            items.push(Item::name(middle, name("M"), Ink::Title));
         }
         let moment = quantity(digits(self.moment, 5), "N m");
         let inertia = quantity(digits(self.inertia, 5), "kg m2");
         self.panel(text!("reduction-model", moment = moment, inertia = inertia), items)
     }
+}
+
+/// A plane of what is drawn in it.
+fn around(items: Vec<Item>) -> Panel {
+    Panel::plane(Bounds::around(items.iter().flat_map(Item::points)), Scale::of("l", "m"), items)
 }
 
 /// The link of reduction; `None` where nothing is reduced, or the input slides.
@@ -119,12 +126,10 @@ pub(crate) fn link(results: &Results, look: &Look<'_>, found: &Found) -> Option<
 /// The mechanism, its plan of velocities, the link of reduction, and the disc.
 pub(crate) fn panels(results: &Results, look: &Look<'_>, found: &Found) -> Vec<Panel> {
     let Some(reduced) = Reduced::of(results, look, found) else { return Vec::new() };
-    let pose = results.pose(look.position, 0.0);
-    let items = pose.map_or_else(Vec::new, |pose| mechanism::drawing(results, &[]).items(&pose));
-    let mechanism = Panel { title: text!("reduction-mechanism"), ..mechanism::plane(results, items) };
-    let velocities = found.plans.at(look.position).sheet.as_ref().ok().map(|sheet| {
-        let plan = &sheet.velocities;
-        Panel { title: plan.title.clone(), ..plans::panel_of_plan(ViewPart::Velocities, plan) }
-    });
-    [Some(mechanism), velocities, Some(reduced.link()), Some(reduced.model())].into_iter().flatten().collect()
+    let items = mechanism::drawing(results, &[]).items(&reduced.pose);
+    let mechanism = Panel { title: text!("reduction-mechanism"), ..around(items) };
+    let moves = reduced.state.speed != 0.0 || reduced.state.acceleration != 0.0;
+    let plan = velocity_plan(&results.linkage, &reduced.pose, moves.then_some(&reduced.state));
+    let velocities = Panel { title: plan.title.clone(), ..plans::panel_of_plan(ViewPart::Velocities, &plan) };
+    vec![mechanism, velocities, reduced.link(), reduced.model()]
 }

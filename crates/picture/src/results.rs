@@ -10,6 +10,7 @@ use assur_analysis::{AnalysisError, Calculation, Options, plan, unwatched};
 use assur_book::{Course, Node, catalogue};
 use assur_figure::Axis;
 use assur_figure::number::plain;
+use assur_force::LoadState;
 use assur_group::{GroupError, Order};
 use assur_kinematics::{Linkage, Modes, Position, PositionError};
 use assur_mechanism::{GROUND, PointId};
@@ -202,6 +203,21 @@ impl Results {
         let (mut pose, from) = (self.linkage.position(), self.coordinate(index));
         let at = if part > 0.0 { from + part * (self.coordinate(index + 1) - from) } else { from };
         self.linkage.solve(at, Order::Second, &mut pose).ok().map(|()| pose)
+    }
+
+    /// The mechanism with the state of its motion in a position or sample, or on a part of the way to the next one; `None` where there
+    /// is no assembly.
+    pub fn moving(&self, index: usize, part: f64) -> Option<(Position, LoadState)> {
+        let pose = self.pose(index, part)?;
+        let calculation = self.found.as_deref().map(|found| found.plans.calculation());
+        let sample = calculation.filter(|_| self.samples().is_some()).and_then(|found| found.sample(index).0);
+        let at_rest = || LoadState::prescribed(&self.linkage.mechanism, pose.coordinate);
+        let state = match (sample, calculation) {
+            (Some(state), _) => LoadState { coordinate: pose.coordinate, ..state },
+            (None, Some(calculation)) => calculation.state(pose.coordinate),
+            (None, None) => at_rest(),
+        };
+        Some((pose, state))
     }
 
     /// The modes of a group in a position; `None` where there is no such group or position, or its kind can't list them.

@@ -90,6 +90,7 @@ fn push<const N: usize>(
 ) {
     let unit = if matches!(kind, VectorKind::Point | VectorKind::Line) { "m" } else { "N" };
     draft.extend(steps.map(|(symbol, start, vector, note)| ConstructionStep {
+        of: Text::default(),
         name: lettered(symbol),
         kind,
         drawing,

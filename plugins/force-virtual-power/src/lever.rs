@@ -25,8 +25,15 @@ fn turned(first: [f64; 2]) -> [f64; 2] {
     opposite(perp(first))
 }
 
-fn force(name: Text, kind: VectorKind, start: [f64; 2], vector: [f64; 2], note: Text) -> ConstructionStep {
-    ConstructionStep { name, kind, drawing: Drawing::Lever, start, after: [0.0; 2], vector, unit: "N", note }
+/// A force with its symbol and the load that it is, from its start.
+fn force(
+    [name, of]: [Text; 2],
+    kind: VectorKind,
+    [start, vector]: [[f64; 2]; 2],
+    note: Text,
+) -> ConstructionStep {
+    let (drawing, after) = (Drawing::Lever, [0.0; 2]);
+    ConstructionStep { name, of, kind, drawing, start, after, vector, unit: "N", note }
 }
 
 struct Lever<'a> {
@@ -44,8 +51,9 @@ impl Lever<'_> {
     /// The velocity of a point for dq = 1, turned, from the pole.
     fn image_step(&self, name: Text, vector: [f64; 2], note: Text) -> ConstructionStep {
         let unit = if self.linkage.angular() { "m/rad" } else { "m/m" };
-        let (kind, drawing, start) = (VectorKind::Absolute, Drawing::Lever, [0.0; 2]);
-        ConstructionStep { name, kind, drawing, start, after: [0.0; 2], vector, unit, note }
+        let names = [name, Text::default()];
+        let kind = VectorKind::Absolute;
+        ConstructionStep { unit, ..force(names, kind, [[0.0; 2], vector], note) }
     }
 
     /// The images of the points from the pole, and each link between the images of its points.
@@ -106,7 +114,8 @@ impl Lever<'_> {
                 ));
             }
             let note = text!("force-lever-at", what);
-            steps.push(force(symbol.clone(), kind, self.image(load.link, at), force_of, note));
+            let names = [symbol, what].map(Text::clone);
+            steps.push(force(names, kind, [self.image(load.link, at), force_of], note));
         }
         // What is left of the moment of a force about its own point is rounding.
         let size = self.linkage.structure.scale * length(force_of);
@@ -126,8 +135,16 @@ impl Lever<'_> {
         symbol: &Text,
         what: &Text,
     ) -> Vec<ConstructionStep> {
-        let body = &self.bodies[link];
-        let places = self.places(link);
+        let (body, places) = (&self.bodies[link], self.places(link));
+        if places.len() < 2 {
+            // A slider turns as the link on whose guide it slides, and with the ground not at all.
+            let mut slides = self.linkage.mechanism.slides.iter();
+            match slides.find_map(|slide| (slide.link == link).then_some(slide.on)) {
+                Some(GROUND) => return Vec::new(),
+                Some(on) if self.places(on).len() > 1 => return self.couple(on, moment, kind, symbol, what),
+                _ => {}
+            }
+        }
         let far = |from: &Named<'_>, to: &Named<'_>| length(minus(to.at, from.at));
         let from = places.iter().find(|place| place.rests).or(places.first());
         let to = from.and_then(|from| places.iter().max_by(|a, b| far(from, a).total_cmp(&far(from, b))));
@@ -144,7 +161,7 @@ impl Lever<'_> {
         let at = |end: Option<&Named<'_>>| end.map_or_else(Text::default, |end| Text::from(end.name));
         let step = |place: [f64; 2], vector, end: Text, symbol: Text| {
             let note = text!("force-lever-couple", couple = &told, what, point = end);
-            force(symbol, kind, self.image(link, place), vector, note)
+            force([symbol, what.clone()], kind, [self.image(link, place), vector], note)
         };
         let mut steps = vec![step(at_to, across, at(ends.map(|(_, to)| to)), symbol.clone())];
         if !rests {
@@ -164,7 +181,8 @@ impl Lever<'_> {
             (Some(unit), Some(Balance::Force { at, .. }), _) => {
                 let vector = scaled(size, unit.wrench(bodies).force());
                 let image = self.image(at.link, bodies[at.link].point(at.at));
-                vec![force(symbol, kind, image, vector, text!("force-lever-balancing-force"))]
+                let what = text!("force-lever-balancing-force");
+                vec![force([symbol, what.clone()], kind, [image, vector], what)]
             }
             (Some(unit), ..) => {
                 let what = text!("force-lever-balancing-moment");
@@ -175,7 +193,8 @@ impl Lever<'_> {
                 // The origin of a sliding input moves by the unit vector along the coordinate.
                 let body = &bodies[input];
                 let vector = scaled(size, [body.x1, body.y1]);
-                vec![force(symbol, kind, self.image(input, [body.x, body.y]), vector, on_input)]
+                let image = self.image(input, [body.x, body.y]);
+                vec![force([symbol, on_input.clone()], kind, [image, vector], on_input)]
             }
         }
     }

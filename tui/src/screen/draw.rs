@@ -40,9 +40,11 @@ impl Pen<'_> {
         if zoom == Zoom::WHOLE && state.shows_pictures() && area.width > 0 && area.height > 0 {
             let mut figure = figure.clone();
             for panel in &mut figure.panels {
-                if let Frame::Plane { scale, .. } = &mut panel.frame {
+                if let Frame::Plane { scales, .. } = &mut panel.frame {
                     // A millimeter of a screen is not known.
-                    scale.0 = "";
+                    for scale in scales {
+                        scale.symbol = "";
+                    }
                 }
             }
             return state.shown.borrow_mut().push((figure, area));

@@ -3,6 +3,7 @@
 mod compare;
 pub(crate) mod courses;
 mod cut;
+mod drawings;
 mod forces;
 mod frames;
 #[cfg(all(target_os = "linux", target_arch = "x86_64", target_env = "gnu"))]
@@ -19,6 +20,7 @@ mod readme;
 mod running;
 mod sizes;
 mod tasks;
+mod vectors;
 mod whatif;
 mod words;
 

@@ -247,7 +247,7 @@ impl Calculation {
     }
 
     /// Whether the positions have a speed.
-    fn positions_move(&self) -> bool {
+    pub fn positions_move(&self) -> bool {
         self.motion.moves(&self.linkage.mechanism)
     }
 

@@ -151,11 +151,15 @@ pub fn is_ratio(column: Column) -> bool {
         || matches!(of(column).measure, M::In(unit) if unit.name.is_empty())
 }
 
-/// The pairs that have reactions, each with the links on which its force is shown: of two links the first that moves, since the force
-/// on the other is opposite; of more links all.
+/// The pairs that have reactions, each with the links on which its force is [shown].
 pub fn reactions(schema: &Schema) -> Vec<(PairId, LinkId)> {
     let pair_on = |owner| if let PairOn(pair, link) = owner { Some((pair, link)) } else { None };
-    let all: Vec<_> = schema.owners(Q::Force).into_iter().filter_map(pair_on).collect();
+    shown(&schema.owners(Q::Force).into_iter().filter_map(pair_on).collect::<Vec<_>>())
+}
+
+/// Of pairs with the links that they join, pair by pair, those that are shown: of two links the first that moves, since the force
+/// on the other is opposite; of more links all.
+pub fn shown(all: &[(PairId, LinkId)]) -> Vec<(PairId, LinkId)> {
     let of_pair = |links: &[(PairId, LinkId)]| match *links {
         [(pair, GROUND), (_, moving)] => vec![(pair, moving)],
         [first, _] => vec![first],

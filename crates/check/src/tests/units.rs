@@ -8,6 +8,7 @@ use assur_force::{LoadState, Loads};
 use assur_kinematics::Linkage;
 use assur_mechanism::{Balance, InputPair, LawTable, LoadKind, Mechanism, Value};
 use assur_testkit::specimen::Recipe;
+use assur_words::Text;
 
 use crate::{Check, Chosen, Subject, methods};
 
@@ -106,6 +107,11 @@ fn found(mechanism: Mechanism) -> Vec<Check> {
 #[test]
 fn limits_are_the_same_in_all_units() {
     let units = [Units { length: 1024.0, mass: 1.0 }, Units { length: 1.0 / 512.0, mass: 4096.0 }];
+    // What is left of the equation of motion is told in N m.
+    let place = |check: &Check| {
+        let place = &check.finding.place;
+        if place.identity() == Some("check-remainder") { Text::default() } else { place.clone() }
+    };
     let mut compared = std::collections::BTreeMap::new();
     for seed in 0..80 {
         let number = usize::try_from(seed).unwrap();
@@ -117,7 +123,7 @@ fn limits_are_the_same_in_all_units() {
         let here = found(mechanism.clone());
         let there = found(in_units(&mechanism, units[number % 2]));
         for (one, other) in here.iter().zip(&there) {
-            assert_eq!((&one.name, &one.finding.place), (&other.name, &other.finding.place), "seed {seed}");
+            assert_eq!((&one.name, place(one)), (&other.name, place(other)), "seed {seed}");
             // Both are zero where nothing moves.
             let apart = (one.finding.bound - other.finding.bound).abs();
             assert!(apart <= 1e-6 * one.finding.bound, "seed {seed}, {}: {one:?} and {other:?}", one.name);

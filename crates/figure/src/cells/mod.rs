@@ -16,7 +16,7 @@ use crate::trace::block;
 use labels::{Labels, head};
 use raster::Raster;
 
-pub use plane::{cell_width, point_at};
+pub use plane::point_at;
 pub use raster::short;
 
 /// The characters for the dots of a drawing, the finest first; its names are those of the configuration.
@@ -121,9 +121,7 @@ fn draw_marks(marks: &[Item], size: [u16; 2], look: Look) -> (Raster, Labels) {
     }
     for mark in marks {
         if let Item::Name { at, text, ink, needed } = mark {
-            // Cells have no subscripts.
-            let told: String =
-                lowered(&text.render(look.language)).flat_map(|(part, low)| [part, low]).collect();
+            let told = flat(&text.render(look.language));
             labels.beside(&raster, cell(*at), &told, *ink, *needed);
         }
     }
@@ -144,6 +142,11 @@ fn draw_marks(marks: &[Item], size: [u16; 2], look: Look) -> (Raster, Labels) {
         }
     }
     (raster, labels)
+}
+
+/// A text without the marks of subscripts, which cells don't have.
+pub fn flat(text: &str) -> String {
+    lowered(text).flat_map(|(part, low)| [part, low]).collect()
 }
 
 const HATCH: &str = "╱";

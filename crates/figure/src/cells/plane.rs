@@ -1,12 +1,12 @@
 //! A plane in cells, with one scale for both directions.
 
-use assur_words::{Language, quantity};
+use assur_words::Language;
 
 use super::raster::{short, whole};
 use super::{Look, Spot, draw_marks, headed, heading};
 use crate::bounds::Bounds;
 use crate::model::{Frame, Ink, Panel, Point};
-use crate::number::{plain, round_length};
+use crate::scale::Scale;
 use crate::trace::Paper;
 
 /// Columns left free at each side for names, and rows for hatching.
@@ -15,6 +15,8 @@ use crate::trace::Paper;
 const MARGIN: [f64; 2] = [4.125, 1.125];
 /// Greatest length of the scale bar, in cell widths.
 const BAR: f64 = 12.0;
+/// Columns of a scale with its bar.
+const SCALE: u16 = 24;
 /// Least size of a plane that is drawn.
 const LEAST: [u16; 2] = [12, 4];
 
@@ -49,21 +51,20 @@ impl Map {
     }
 }
 
-/// Rows of a panel above and below its drawing: the heading, the scale.
-fn around(panel: &Panel, [width, height]: [u16; 2], look: Look) -> [u16; 2] {
-    [short(title(panel, [width, height], look).len()), 1]
+/// Rows of a panel above and below its drawing: the heading, the scales.
+fn around(panel: &Panel, size: [u16; 2], look: Look) -> [u16; 2] {
+    let Frame::Plane { scales, .. } = &panel.frame else { return [0; 2] };
+    [title(panel, size, look).len(), scales.len().div_ceil(scales_of_row(size[0]))].map(short)
+}
+
+/// How many scales stand beside each other.
+fn scales_of_row(width: u16) -> usize {
+    usize::from((width / SCALE).max(1))
 }
 
 fn title(panel: &Panel, [width, height]: [u16; 2], look: Look) -> Vec<String> {
     let title = panel.title.render(look.language);
     if title.is_empty() { Vec::new() } else { heading(&title, width, height) }
-}
-
-/// Width of a cell in the units of the plane, for a panel of so many columns and rows.
-pub fn cell_width(panel: &Panel, [width, height]: [u16; 2], look: Look) -> Option<f64> {
-    let Frame::Plane { bounds, .. } = &panel.frame else { return None };
-    let rows = height.saturating_sub(around(panel, [width, height], look).iter().sum());
-    Some(Map::fit(bounds, [width, rows], look).unit)
 }
 
 /// The point of the plane in the middle of a cell of a panel of so many columns and rows; `None` outside its drawing.
@@ -77,12 +78,13 @@ pub fn point_at(panel: &Panel, size: [u16; 2], look: Look, [column, row]: [u16; 
 }
 
 pub(super) fn draw(panel: &Panel, [width, height]: [u16; 2], look: Look) -> Vec<Spot> {
-    let Frame::Plane { bounds, unit, factor, .. } = &panel.frame else { return Vec::new() };
-    if width < LEAST[0] || height < LEAST[1] {
-        return Vec::new();
-    }
+    let Frame::Plane { bounds, scales } = &panel.frame else { return Vec::new() };
     let [above, below] = around(panel, [width, height], look);
-    let size = [width, height - above - below];
+    let Some(rows) = height.checked_sub(above + below).filter(|_| width >= LEAST[0] && height >= LEAST[1])
+    else {
+        return Vec::new();
+    };
+    let size = [width, rows];
     let map = Map::fit(bounds, size, look);
     let paper = Paper { place: |at| map.place(at), em: look.ratio, gap: 0.4 };
     let marks: Vec<_> = panel.items.iter().flat_map(|item| paper.marks(item)).collect();
@@ -91,15 +93,19 @@ pub(super) fn draw(panel: &Panel, [width, height]: [u16; 2], look: Look) -> Vec<
     let mut spots: Vec<_> = spots.map(|spot| Spot { row: spot.row + above, ..spot }).collect();
     spots.extend(headed(title(panel, [width, height], look), 0));
     if bounds.size().iter().any(|side| *side != 0.0) {
-        let text = bar(map.unit, *factor, unit, look.language);
-        spots.push(Spot { column: 0, row: height - below, text, ink: Ink::Dim });
+        let beside = scales_of_row(width);
+        spots.extend(scales.iter().enumerate().map(|(index, scale)| {
+            let text = bar(scale, map.unit, look.language);
+            let (column, row) = (SCALE * short(index % beside), above + rows + short(index / beside));
+            Spot { column, row, text, ink: Ink::Dim }
+        }));
     }
     spots
 }
 
 /// A bar of a round length: `|----| 100 mm`.
-fn bar(width: f64, factor: f64, unit: &str, language: &Language) -> String {
-    let length = round_length(BAR * width);
+fn bar(scale: &Scale, width: f64, language: &Language) -> String {
+    let (length, told) = scale.bar(BAR * width);
     let dashes = "-".repeat(usize::from(short(whole((length / width).round().clamp(2.0, 40.0)))) - 1);
-    format!("|{dashes}| {}", quantity(plain(factor * length), unit.to_owned()).render(language))
+    format!("|{dashes}| {}", told.render(language))
 }

@@ -74,8 +74,8 @@ pub(super) fn elements(
 }
 
 /// Width of the widest number of the vertical axes of a figure: one for all, so that plots below each other are aligned.
-pub(super) fn numbers(figure: &Figure, room: Room, language: &Language) -> f64 {
-    let height = room.height / figure.rows().max(1) as f64;
+pub(super) fn numbers(figure: &Figure, height: f64, language: &Language) -> f64 {
+    let height = height / figure.rows().max(1) as f64;
     let axes = figure.panels.iter().filter_map(|panel| match &panel.frame {
         Frame::Axes { y, .. } => Some(widened(y)),
         Frame::Plane { .. } => None,

@@ -10,7 +10,7 @@ const NARROW: f64 = 0.36;
 /// Distance of a name from its point, in text sizes.
 const APART: f64 = 0.35;
 
-/// Width of a text, mm: within a tenth for the fonts that are asked for.
+/// Width of a text, mm: within a tenth for the fonts that are asked for. The marks of subscripts are not seen.
 pub(super) fn text_width(text: &str) -> f64 {
     let of = |letter: char| match letter {
         'i' | 'j' | 'l' | 't' | 'f' | 'r' | 'I' | ' ' | '.' | ',' | ':' | ';' | '\'' | '|' | '(' | ')'
@@ -18,7 +18,7 @@ pub(super) fn text_width(text: &str) -> f64 {
         'm' | 'w' | 'M' | 'W' | 'Ш' | 'Щ' | 'Ж' | 'Ю' => 1.5 * LETTER,
         _ => LETTER,
     };
-    text.chars().map(of).sum::<f64>() * EM
+    text.chars().filter(|letter| !"_{}".contains(*letter)).map(of).sum::<f64>() * EM
 }
 
 /// A text in lines of at most this width, divided between its words; none of an empty text.

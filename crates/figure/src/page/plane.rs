@@ -2,25 +2,26 @@
 
 use assur_words::{Language, joined, name, quantity};
 
-use super::{BORDER, EM, Element, LINE, Room, drawn, heading, text};
+use super::element::polyline;
+use super::names::text_width;
+use super::{BORDER, EM, Element, LINE, Room, drawn, heading, plain as plain_text, text};
 use crate::bounds::Bounds;
-use crate::model::{Frame, Ink, Panel, Point};
+use crate::model::{Frame, Ink, Panel, Point, Stroke};
 use crate::number::{plain, round_up};
+use crate::scale::{SCALES, Scale};
 use crate::trace::Paper;
 
 /// Free space around what is drawn, for names, bearings and sliders, in text sizes.
 const MARGIN: f64 = 2.2;
-/// Scale factors of drawings, as parts of a power of ten: those of ISO 5455 and of drawing offices.
-const SCALES: [f64; 5] = [1.0, 2.0, 2.5, 4.0, 5.0];
+/// Greatest length of a scale bar, and height of its ends, mm.
+const BAR: f64 = 20.0;
+const END: f64 = 0.4 * EM;
 
-/// The elements of a panel, and its scale: units of the plane in a millimeter.
-pub(super) fn elements(panel: &Panel, room: Room, language: &Language) -> (Vec<Element>, f64) {
-    let Frame::Plane { bounds, scale: (symbol, unit), .. } = &panel.frame else { return (Vec::new(), 1.0) };
+/// The elements of a panel.
+pub(super) fn elements(panel: &Panel, room: Room, language: &Language) -> Vec<Element> {
+    let Frame::Plane { bounds, scales } = &panel.frame else { return Vec::new() };
     let mut elements = heading(panel, room, language);
-    let above = LINE * elements.len() as f64;
-    let plot = Room { top: room.top + above, height: room.height - above - LINE, ..room };
-    let least = fit(bounds, plot);
-    let scale = if symbol.is_empty() { least } else { round_up(least, &SCALES) };
+    let (plot, scale) = fit(bounds, scales, room, elements.len());
     let center = bounds.center().map(|x| if x.is_finite() { x } else { 0.0 });
     let middle = [plot.left + 0.5 * plot.width, plot.top + 0.5 * plot.height];
     let place =
@@ -29,19 +30,59 @@ pub(super) fn elements(panel: &Panel, room: Room, language: &Language) -> (Vec<E
     let marks: Vec<_> = panel.items.iter().flat_map(|item| paper.marks(item)).collect();
     elements.extend(drawn(&marks, plot, language));
     // What lies in one place has no scale.
-    if !symbol.is_empty() && bounds.size().iter().any(|side| *side != 0.0) {
-        let symbol = name(format!("μ_{{{symbol}}}"));
-        let told = joined(" = ", [symbol, quantity(plain(scale), format!("{unit}/mm"))]).render(language);
-        let corner = [room.left, room.top + room.height - 0.3 * LINE];
-        elements.push(text(corner, &told, Ink::Dim, "start"));
+    if bounds.size().iter().any(|side| *side != 0.0) {
+        for (row, own) in scales.iter().enumerate() {
+            let corner = [room.left, plot.top + plot.height + (row as f64 + 0.7) * LINE];
+            elements.extend(bar(own, scale, corner, language));
+        }
     }
-    (elements, scale)
+    elements
 }
 
-/// The least scale at which the bounds fit.
-fn fit(bounds: &Bounds, plot: Room) -> f64 {
+/// A panel's room, shrunk to its drawing.
+pub(super) fn shrunk(panel: &Panel, room: Room, language: &Language) -> Room {
+    let Frame::Plane { bounds, scales } = &panel.frame else { return room };
+    // A heading keeps clear of that of the next panel.
+    let title = text_width(&plain_text(&panel.title, language)) + EM;
+    let lines = |room| heading(panel, room, language).len();
+    let (_, scale) = fit(bounds, scales, room, lines(room));
+    let [width, height] = bounds.size().map(|side| side / scale + 2.0 * MARGIN * EM + BORDER);
+    let of_scale = |own| {
+        let (length, words) = told(own, scale, language);
+        length / scale + text_width(&words) + EM
+    };
+    let width = scales.iter().map(of_scale).fold(width.max(title).min(room.width), f64::max);
+    let around = LINE * (lines(Room { width, ..room }) + scales.len()) as f64;
+    Room { width, height: (height + around).min(room.height), ..room }
+}
+
+/// The place of the drawing below so many lines of a heading, and its scale: units of the plane in a millimeter.
+fn fit(bounds: &Bounds, scales: &[Scale], room: Room, lines: usize) -> (Room, f64) {
+    let above = LINE * lines as f64;
+    let height = room.height - above - LINE * scales.len() as f64;
+    let plot = Room { top: room.top + above, height, ..room };
     let [width, height] = bounds.size();
     let free = |length: f64| (length - 2.0 * MARGIN * EM - BORDER).max(1.0);
     let least = (width / free(plot.width)).max(height / free(plot.height));
-    if least.is_finite() && least > 0.0 { least } else { 1.0 }
+    let least = if least.is_finite() && least > 0.0 { least } else { 1.0 };
+    let is_round = scales.first().is_some_and(|scale| !scale.symbol.is_empty());
+    (plot, if is_round { round_up(least, &SCALES) } else { least })
+}
+
+/// A scale as a bar of a round number of units.
+fn bar(own: &Scale, scale: f64, [left, base]: Point, language: &Language) -> [Element; 2] {
+    let (length, words) = told(own, scale, language);
+    let (right, top) = (left + length / scale, base - END);
+    let bar = polyline(&[[left, top], [left, base], [right, base], [right, top]], Stroke::Solid, Ink::Dim);
+    [bar, text([right + 0.5 * EM, base], &words, Ink::Dim, "start")]
+}
+
+/// The length of the bar of a scale, and what it is with the factor: what a millimeter stands for.
+fn told(own: &Scale, scale: f64, language: &Language) -> (f64, String) {
+    let (bar, length) = own.bar(BAR * scale);
+    let factor = (!own.symbol.is_empty()).then(|| {
+        let symbol = name(format!("μ_{{{}}}", own.symbol));
+        joined(" = ", [symbol, quantity(plain(own.size * scale), format!("{}/mm", own.unit))])
+    });
+    (bar, joined("   ", std::iter::once(length).chain(factor)).render(language))
 }

@@ -70,7 +70,8 @@ pub(super) fn write_to(state: &mut State, path: PathBuf) {
         (_, "csv") => numbers.map(|numbers| (numbers, None)),
         (None, _) => Err(text!("say-no-picture")),
         (Some(figure), _) => {
-            let picture = picture(svg::write(figure, PAGE, state.language()), &path, PAGE);
+            let (svg, size) = svg::sheet(std::slice::from_ref(figure), 1, PAGE, state.language());
+            let picture = picture(svg, &path, size);
             picture.and_then(|picture| numbers.map(|numbers| (picture, Some(numbers))))
         }
     };
@@ -161,7 +162,7 @@ fn points(panels: &[assur_figure::Panel]) -> Result<Vec<u8>, Text> {
     let mut rows = Vec::new();
     for (index, panel) in panels.iter().enumerate() {
         let axes = match &panel.frame {
-            Frame::Plane { unit, .. } => unit.clone(),
+            Frame::Plane { scales, .. } => scales.first().map_or(String::new(), |scale| scale.unit.clone()),
             Frame::Axes { x, y, .. } => format!("{}; {}", x.label, y.label),
         };
         let title = if panel.title.is_empty() { index.to_string() } else { panel.title.to_string() };

@@ -239,6 +239,7 @@ impl State {
             column,
             picked: &self.picked,
             arrows: self.arrows,
+            alone: false,
             traces: self.traces,
             // While the structure is put together.
             joined: self.joined.filter(|_| self.view == View::Structure),

@@ -48,6 +48,7 @@ fn of_view(results: &Results, view: &str) -> Vec<(String, String)> {
             position: vec![POSITION.min(results.positions() - 1)],
             size: None,
             animate: false,
+            arrows: None,
         };
         let drawn = still::draw(results, &request, Path::new("a.svg"), Language::english()).ok()?;
         Some((part.map_or(view.to_owned(), |part| format!("{view}-{part}")), Hash::of(&drawn)))

@@ -31,7 +31,7 @@ const TASKS: [(&str, &str, &str, &[&str]); 10] = [
         "9 Enter",
         &["least determinant", "determinant here"],
     ),
-    ("the worst position of the first check", "shaper", "7 Enter", &["Relative", "residual", "ok"]),
+    ("the worst position of the first check", "shaper", "7 Enter", &["residual", "ok"]),
     ("what J means", "shaper", "? / J ,", &["moment of inertia (mass) of all links"]),
     ("every equation of the position", "shaper", "W", &["working of position 0"]),
     ("another motor for the drive", "shaper-drive", "6 p", &["Motors of at least 0.4974 kW"]),

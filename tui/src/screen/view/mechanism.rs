@@ -2,13 +2,12 @@
 
 use assur_analysis::results::{Column, Owner, Quantity};
 use assur_book::catalogue;
-use assur_figure::cells::{cell_width, point_at};
-use assur_figure::{Figure, Ink, Stroke};
+use assur_figure::cells::{flat, point_at};
+use assur_figure::{Figure, Ink, Sample, Stroke};
 use assur_mechanism::Motion;
-use assur_picture::Transfer;
-use assur_picture::arrows;
 use assur_picture::curves::in_radians;
 use assur_picture::mechanism::figure;
+use assur_picture::{Arrows, Transfer, missing};
 use assur_words::{self as words, Text, joined, quantity, text};
 use ratatui::layout::{Constraint, Layout, Rect};
 
@@ -18,14 +17,12 @@ use crate::screen::state::{Probe, Role, Scene, Series, State};
 
 /// Columns of the numbers next to the drawing.
 const PANEL: u16 = 26;
-/// Longest shaft of an arrow of the legend, in columns.
-const SHAFT: f64 = 12.0;
 
 pub(super) fn draw(pen: &mut Pen<'_>, scene: &Scene, area: Rect) {
     let [drawing, beside] = parts(area);
     let figure = figure(scene, &pen.state.pictured(), &[]);
     pen.paint_zoomed(&figure, pen.state.zoom, drawing);
-    draw_numbers(pen, scene, &figure, drawing, beside);
+    draw_numbers(pen, scene, &figure, beside);
 }
 
 fn parts(area: Rect) -> [Rect; 2] {
@@ -42,7 +39,7 @@ pub(crate) fn place_at(state: &State, area: Rect, [column, row]: [u16; 2]) -> Op
 }
 
 /// The numbers beside the drawing of a figure.
-fn draw_numbers(pen: &mut Pen<'_>, scene: &Scene, figure: &Figure, drawing: Rect, area: Rect) {
+fn draw_numbers(pen: &mut Pen<'_>, scene: &Scene, figure: &Figure, area: Rect) {
     let state = pen.state;
     let plain = |text: String| (Role::Plain, text);
     let mut lines: Vec<_> = input(state, scene).into_iter().map(|text| plain(state.told(text))).collect();
@@ -52,18 +49,24 @@ fn draw_numbers(pen: &mut Pen<'_>, scene: &Scene, figure: &Figure, drawing: Rect
         lines.extend(rows.into_iter().map(|line| (Role::Bad, line)));
         return pen.put_lines(area, 1, &lines);
     }
-    let others = match &state.probe {
-        Some(probe) => {
+    // What the arrows are, at the foot of the panel; loads and reactions, which are many, in the list.
+    let width = usize::from(area.width.max(8)) - 2;
+    let mut legend = legend(state, figure, width);
+    let others = match (&state.probe, state.arrows) {
+        (Some(probe), _) => {
             lines.extend(of_probe(state, scene, probe));
             Vec::new()
         }
-        None => {
+        (None, Arrows::Loads | Arrows::Reactions) => {
+            let why = missing(scene, &state.pictured()).map_or_else(String::new, |why| state.told(why));
+            lines.extend(wrapped(&why, width).into_iter().map(plain));
+            std::mem::take(&mut legend)
+        }
+        (None, _) => {
             lines.extend(chosen(state, scene));
             others(state, scene)
         }
     };
-    // The legend and the scale of the arrows, at the foot of the panel.
-    let legend = legend(state, scene, figure, drawing);
     let [top, list, foot] = Layout::vertical([
         Constraint::Length(short(lines.len())),
         Constraint::Min(0),
@@ -79,19 +82,17 @@ fn draw_numbers(pen: &mut Pen<'_>, scene: &Scene, figure: &Figure, drawing: Rect
     pen.mark_rows(list, skip..others.len().min(skip + room), others.len());
 }
 
-fn legend(state: &State, scene: &Scene, figure: &Figure, drawing: Rect) -> Vec<(Role, String)> {
-    let Some(panel) = figure.panels.first() else { return Vec::new() };
-    let Some(width) = cell_width(panel, [drawing.width, drawing.height], cells(state, state.zoom)) else {
-        return Vec::new();
-    };
-    let mut lines = Vec::new();
-    for (what, size, length, (stroke, ink)) in arrows::scales(scene, &state.pictured()) {
-        let (role, dash) = (Role::Drawn(ink), if stroke == Stroke::Solid { '-' } else { '.' });
-        let shaft = (0..).take_while(|dash| f64::from(*dash) < (length / width).clamp(1.0, SHAFT));
-        let shaft: String = shaft.map(|_| dash).collect();
-        lines.extend([(role, state.told(what)), (role, format!(" {shaft}> {}", state.told(size)))]);
+/// What the vectors of a figure are; a size that has no room beside its name has a row of its own.
+fn legend(state: &State, figure: &Figure, width: usize) -> Vec<(Role, String)> {
+    let mut rows = Vec::new();
+    for key in &figure.legend {
+        let Sample::Line(Stroke::Solid | Stroke::Dashed, ink) = key.sample else { continue };
+        let told = flat(&state.told(&key.text));
+        let parts = if told.chars().count() <= width { vec![&*told] } else { told.split("  ").collect() };
+        let parts = parts.into_iter().flat_map(|part| wrapped(part, width));
+        rows.extend(parts.map(|part| (Role::Drawn(ink), part)));
     }
-    lines
+    rows
 }
 
 fn input(state: &State, scene: &Scene) -> Vec<Text> {

@@ -1,0 +1,143 @@
+//! What acts on the links in a state of the motion: loads with the contacts and the drive, the reactions of the pairs with the balancing load.
+
+use assur_analysis::results::{Column, Owner, Quantity, Schema};
+use assur_book::catalogue;
+use assur_figure::{Ink, Point, Stroke};
+use assur_force::{LoadState, UnitBalance};
+use assur_kinematics::Position;
+use assur_mechanism::{Balance, GROUND, LinkId, PairId};
+use assur_words::{Text, joined, name, text};
+
+use crate::arrows::{Arrow, Kind};
+use crate::{Arrows, Results};
+
+/// The forces and moments in a state, each with its symbol.
+pub(crate) struct Acting<'a> {
+    results: &'a Results,
+    pose: &'a Position,
+    state: &'a LoadState,
+    all: Vec<Arrow>,
+}
+
+impl<'a> Acting<'a> {
+    /// The contacts in any case; all loads with the moment of the drive, or the reactions with the balancing load, where they are wanted.
+    pub(crate) fn of(
+        results: &'a Results,
+        wanted: Arrows,
+        pose: &'a Position,
+        state: &'a LoadState,
+    ) -> Vec<Arrow> {
+        let mut own = Self { results, pose, state, all: Vec::new() };
+        own.loads(wanted == Arrows::Loads);
+        if wanted == Arrows::Reactions {
+            own.reactions();
+        }
+        own.all
+    }
+
+    fn push(
+        &mut self,
+        at: Point,
+        kind: Kind,
+        vector: [f64; 2],
+        [name, told]: [Text; 2],
+        style: (Stroke, Ink),
+    ) {
+        self.all.push(Arrow { at, kind, vector, name, told, style });
+    }
+
+    /// A force and a moment at a place, with their symbols and what they are.
+    fn act(&mut self, at: Point, force: [f64; 2], moment: f64, symbols: [String; 2], told: &Text, ink: Ink) {
+        let parts = [(Kind::Force, force), (Kind::Moment, [moment, 0.0])];
+        for ((kind, vector), symbol) in parts.into_iter().zip(symbols) {
+            self.push(at, kind, vector, [name(symbol), told.clone()], (Stroke::Solid, ink));
+        }
+    }
+
+    /// A load has the number that it has in the constructions; a contact its point K, the normal force and the friction, dashed, and their
+    /// sum.
+    fn loads(&mut self, all_wanted: bool) {
+        let (mechanism, bodies) = (&self.results.linkage.mechanism, &self.pose.bodies);
+        let Some(found) = self.results.found.as_deref().map(|found| found.plans.calculation()) else {
+            return;
+        };
+        let loads = found.loads.as_ref().filter(|_| found.positions_have_forces() || all_wanted);
+        let list = loads.map_or_else(Vec::new, |loads| loads.acting(self.state, bodies));
+        let contacts = mechanism.loads.iter().filter(|load| load.kind.contact().is_some()).count();
+        let mut nth = 0;
+        for (number, load) in list.iter().enumerate() {
+            let (told, force) = (Text::from(load.cause.name(mechanism)), load.wrench.force());
+            if let (Some([normal, friction]), Some(at)) = (load.parts(mechanism, bodies), load.at) {
+                nth += 1;
+                let suffix = if contacts > 1 { nth.to_string() } else { String::new() };
+                let of = |symbol, told| [joined("", [symbol, name(suffix.clone())]), told];
+                let [line, dashed] = [Stroke::Solid, Stroke::Dashed].map(|stroke| (stroke, Ink::Second));
+                self.push(at, Kind::Force, [0.0; 2], of(name("K"), Text::default()), line);
+                self.push(at, Kind::Force, normal, of(name("Fc"), Text::default()), dashed);
+                self.push(at, Kind::Force, friction, of(text!("contact-friction"), Text::default()), dashed);
+                self.push(at, Kind::Force, force, of(name("F"), told), line);
+            } else if all_wanted {
+                let at = load.at.unwrap_or_else(|| self.anchor(load.link));
+                let symbols = ["F", "M"].map(|letter| format!("{letter}{}", number + 1));
+                self.act(at, force, load.couple(bodies), symbols, &told, Ink::Second);
+            }
+        }
+        if let Some([drive, _]) = found.drive_in(self.state).filter(|_| all_wanted) {
+            let told = catalogue::kind(Column::of(Quantity::ReducedLoad, Owner::Input));
+            self.on_input(None, drive, "d", &told);
+        }
+    }
+
+    /// The reactions on the links on which they are shown, and the balancing load; none where they are not determined.
+    fn reactions(&mut self) {
+        let (linkage, pose) = (&self.results.linkage, self.pose);
+        let mechanism = &linkage.mechanism;
+        let Some(calculation) = self.results.found.as_deref().map(|found| found.plans.calculation()) else {
+            return;
+        };
+        let Some(found) = calculation.reactions(self.state, pose) else { return };
+        let schema = Schema::new(mechanism);
+        let pairs: Vec<_> = found.reactions.iter().map(|force| (force.joint.id, force.on.id)).collect();
+        let shown = catalogue::shown(&pairs);
+        for force in found.reactions.iter().filter(|force| shown.contains(&(force.joint.id, force.on.id))) {
+            let (pair, on) = (force.joint.id, force.on.id);
+            let at = match pair {
+                PairId::Pin(point) => linkage.point_motion(point, pose).pf0,
+                PairId::Slide(id) => pose.bodies[mechanism.slides[id].link].point(mechanism.slides[id].point),
+            };
+            let told = catalogue::owner(&schema, Column::of(Quantity::Force, Owner::PairOn(pair, on)));
+            // Of several links each has its own force.
+            let several = shown.iter().filter(|(own, _)| *own == pair).count() > 1;
+            let link = if several { format!(",{on}") } else { String::new() };
+            let symbols = ["R", "M"].map(|letter| format!("{letter}_{{{}{link}}}", force.joint.name));
+            self.act(at, force.force, force.moment.unwrap_or_default(), symbols, &told, Ink::First);
+        }
+        if calculation.drive_in(self.state).is_none() {
+            let told = catalogue::kind(Column::BALANCING);
+            self.on_input(UnitBalance::of(mechanism), found.balancing, "b", &told);
+        }
+    }
+
+    /// What acts on the input along its coordinate, or where the scene has its balancing load.
+    fn on_input(&mut self, unit: Option<UnitBalance>, size: f64, index: &str, told: &Text) {
+        let (mechanism, bodies) = (&self.results.linkage.mechanism, &self.pose.bodies);
+        let input = &bodies[mechanism.input.link];
+        let along = if self.results.linkage.angular() { [0.0, 0.0, 1.0] } else { [input.x1, input.y1, 0.0] };
+        let (at, [x, y, moment]) = match (unit.map(|unit| unit.wrench(bodies)), mechanism.balance) {
+            (Some(unit), Some(Balance::Force { at, .. })) => {
+                (bodies[at.link].point(at.at), [unit.fx, unit.fy, 0.0])
+            }
+            (Some(unit), Some(Balance::Moment(link))) => (self.anchor(link), [0.0, 0.0, unit.m]),
+            _ => (self.anchor(mechanism.input.link), along),
+        };
+        let symbols = ["F", "M"].map(|letter| format!("{letter}_{{{index}}}"));
+        self.act(at, [size * x, size * y], size * moment, symbols, told, Ink::Second);
+    }
+
+    /// Where a moment on a link is drawn: at its point on the ground, or at its first one.
+    fn anchor(&self, link: LinkId) -> Point {
+        let points = self.results.linkage.mechanism.points.iter().filter(|point| point.on(link).is_some());
+        let found = points.min_by_key(|point| point.on(GROUND).is_none());
+        self.pose.bodies[link].point(found.and_then(|point| point.on(link)).unwrap_or_default())
+    }
+}
