@@ -24,7 +24,7 @@ pub(crate) struct PictureArgs {
     pub(crate) view: Option<Picture>,
     /// Part of the view: forces, velocities, accelerations, construction (plans); overview, causes, curves, hodograph
     /// (forces); overview, course, iteration, reduction (motion); overview, curves, places, energy-mass, inertia, reduction
-    /// (drive)
+    /// (drive); overview, events (structure)
     #[arg(long, value_name = "NAME")]
     pub(crate) part: Option<String>,
     /// Quantity, pair, link, group or method of a construction that is shown, found as by `/` in the terminal UI, or a strip of

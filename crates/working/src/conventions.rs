@@ -13,7 +13,9 @@ impl Work<'_> {
         let of = match place {
             PositionOrSample::Position(index) => text!("working-at-position", position = index),
             PositionOrSample::Sample(index) => {
-                text!("working-at-sample", sample = index, time = number(self.state.time))
+                // To a nanosecond: the last digits of a sum of steps are rounding.
+                let time = (1e9 * self.state.time).round() / 1e9;
+                text!("working-at-sample", sample = index, time = number(time))
             }
         };
         self.sheet.section(text!("working-title", title, of));

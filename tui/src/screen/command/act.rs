@@ -169,6 +169,9 @@ pub(super) fn part(state: &mut State) {
 
 /// Shows a part of the view, or the first part again.
 pub(super) fn turn(state: &mut State, part: ViewPart) {
+    if !state.available_parts(state.view).contains(&part) {
+        return state.say(Role::Plain, text!("say-no-part"));
+    }
     let next = if state.part(state.view) == part { ViewPart::Overview } else { part };
     state.parts.insert(state.view, next);
 }

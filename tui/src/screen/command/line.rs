@@ -84,9 +84,20 @@ pub(super) fn completions(state: &State, typed: &str) -> Vec<String> {
     all
 }
 
+/// The position nearest to a coordinate, or the sample nearest to a time, with the unit of the horizontal axis: `90 deg`, `2.5 s`.
+fn place(state: &State, line: &str) -> Option<usize> {
+    let scene = state.scene.as_ref()?;
+    let (unit, factor) = scene.axis_unit();
+    let value: f64 = line.strip_suffix(unit)?.trim_end().parse().ok()?;
+    Some(scene.nearest(value / factor))
+}
+
 pub(super) fn run(state: &mut State, line: &str) {
     if let Ok(position) = line.parse::<usize>() {
         return state.go_to(position);
+    }
+    if let Some(place) = place(state, line) {
+        return state.go_to(place);
     }
     let (word, rest) = line.split_once(char::is_whitespace).unwrap_or((line, ""));
     match (word, rest.trim()) {

@@ -71,8 +71,8 @@ fn forces_and_results_of_two_scenes_stand_beside_each_other() {
     write(&mut state, ":compare shaper-friction.toml");
     press(&mut state, "3");
     let frame = text(&state, 120, 40);
-    let row = frame.lines().find(|line| line.contains("|1 - 2|")).unwrap_or_else(|| panic!("{frame}"));
-    assert!(row.contains("  1 ") && row.contains("  2 "), "{frame}");
+    let row = frame.lines().find(|line| line.contains("|F1 - F2|")).unwrap_or_else(|| panic!("{frame}"));
+    assert!(row.contains("|F1|") && row.contains("|F2|"), "{frame}");
     let number = |text: &str| text.parse::<f64>().ok();
     let numbers = |line: &str| line.split_whitespace().filter_map(number).collect::<Vec<_>>();
     // The two numbers of the balancing moment, which have signs, and their difference.

@@ -426,3 +426,18 @@ fn a_motion_over_time_is_shown_at_its_instants() {
     assert!(shown("5 Tab Tab").contains("-0.8"), "{}", shown("5 Tab Tab"));
     assert!(shown("W").contains("working of sample 20"), "{}", shown("W"));
 }
+
+#[test]
+fn a_time_or_a_coordinate_leads_to_what_is_nearest() {
+    let mut state = opened("brake");
+    super::write(&mut state, ":10 s");
+    assert_eq!(state.position, 20);
+    // Half a second between two samples.
+    super::write(&mut state, ":0.4s");
+    assert_eq!(state.position, 1);
+    let mut state = opened("shaper");
+    super::write(&mut state, ":91 deg");
+    assert_eq!(state.position, 12);
+    super::write(&mut state, ":91 s");
+    assert!(text(&state, 80, 24).contains("there is no command"));
+}

@@ -55,7 +55,7 @@ pub(super) fn draw_results(pen: &mut Pen<'_>, scene: &Scene, area: Rect) {
     };
     let lines = page::told(pen.state, area.width.saturating_sub(2), |page| {
         page.table(table.table());
-        page.paragraph(text!("report-between"));
+        page.paragraph(text!(if scene.samples().is_some() { "results-sampled" } else { "report-between" }));
     });
     page::draw_chosen(pen, &lines, (pen.state.chosen.result, 1), &|_| Role::Plain, area);
 }

@@ -67,9 +67,9 @@ fn two(state: &State, found: &Found, other: &Found) -> Table {
     };
     let table = Table::each(Text::default(), &found.reactions)
         .column(text!("forces-pair"), |reaction| reaction.name.clone().short())
-        .column(name("1"), |reaction| shown(found, reaction))
-        .column(name("2"), |reaction| shown(other, reaction))
-        .column(name("|1 - 2|"), |reaction| apart(reaction));
+        .column(name("|F1|"), |reaction| shown(found, reaction))
+        .column(name("|F2|"), |reaction| shown(other, reaction))
+        .column(name("|F1 - F2|"), |reaction| apart(reaction));
     table.table()
 }
 

@@ -13,7 +13,7 @@ const NAME_AT: u16 = 17;
 const HELP_AT: u16 = 36;
 
 /// The words of the field, each with its meaning.
-const GLOSSARY: [&str; 18] = [
+const GLOSSARY: [&str; 23] = [
     "word-pf0",
     "word-pf1",
     "word-coordinate",
@@ -31,6 +31,11 @@ const GLOSSARY: [&str; 18] = [
     "word-unevenness",
     "word-hodograph",
     "word-plan",
+    "word-transmission",
+    "word-grashof",
+    "word-locking",
+    "word-circuit",
+    "word-instant",
     "word-condition",
 ];
 
