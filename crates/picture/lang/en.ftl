@@ -114,4 +114,5 @@ drive-no-motor = this regime has no motor from a catalogue
 forces-not-determined = no forces are determined in this position
 no-forces-found = There are no forces, since the motion that the scene asks for was not found:
 nothing-here = this scene has nothing for this view
+events-no-dead-angle = Dead angles: none; some moment of the input moves the mechanism everywhere.
 events-title = Events of the cycle: modes, friction, sides of guides

@@ -5,9 +5,10 @@ use assur_book::{Fact, ROUNDING, Unit, catalogue};
 use assur_geometry::{CrankCondition, crank_conditions, overview};
 use assur_kinematics::Linkage;
 use assur_mechanism::GROUND;
+use assur_motor::FlywheelSize;
 use assur_words::{Text, count, joined, list, name, number, text};
 
-use super::{forces::force, regime};
+use super::{drive::flywheel_shaft, forces::force, regime};
 
 /// What a group of facts is about.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -27,8 +28,9 @@ pub enum About {
 /// All results that are asked for first, each with what it is about.
 pub fn results(analysis: &Analysis, linkage: &Linkage) -> Vec<(About, Fact)> {
     let place = Unit::place(analysis.input.angular);
-    let mut forces = reactions(analysis, linkage, place);
-    forces.extend(balancing(analysis, linkage, place));
+    let of_forces = if is_over_time(analysis) { Unit::SECOND } else { place };
+    let mut forces = reactions(analysis, linkage, of_forces);
+    forces.extend(balancing(analysis, linkage, of_forces));
     let main = [
         "fact-mean-speed",
         "fact-unevenness",
@@ -43,6 +45,7 @@ pub fn results(analysis: &Analysis, linkage: &Linkage) -> Vec<(About, Fact)> {
     ];
     let mut regime = end_of_motion(analysis);
     regime.extend(regime::facts(analysis).into_iter().filter(|fact| main.contains(&fact.id)));
+    regime.extend(analysis.dynamics.iter().flat_map(|found| &found.flywheel_places).map(flywheel));
     let all = [
         (About::Structure, structure(analysis)),
         (About::Structure, cranks(linkage)),
@@ -53,6 +56,20 @@ pub fn results(analysis: &Analysis, linkage: &Linkage) -> Vec<(About, Fact)> {
         (About::Checks, checks_fact(analysis).into_iter().collect()),
     ];
     all.into_iter().flat_map(|(about, facts)| facts.into_iter().map(move |fact| (about, fact))).collect()
+}
+
+/// Whether the forces belong to the samples of a motion from an initial state.
+fn is_over_time(analysis: &Analysis) -> bool {
+    analysis.integration.is_some()
+}
+
+/// A flywheel in the form in which it is ordered.
+fn flywheel(size: &FlywheelSize) -> Fact {
+    let [inertia, mass] =
+        [(size.inertia, Unit::INERTIA), (size.mass, Unit::KILOGRAM)].map(|(of, unit)| unit.show(of));
+    let [diameter, width] = [size.diameter, size.width].map(|side| Unit::LENGTH.show(side));
+    let told = text!("fact-flywheel-sizes", inertia, mass, diameter, width);
+    Fact::text("fact-flywheel-of", told).of("shaft", flywheel_shaft(size.shaft))
 }
 
 /// The results that are asked for first, one below the other.
@@ -100,11 +117,15 @@ fn end_of_motion(analysis: &Analysis) -> Vec<Fact> {
 }
 
 /// The value of greatest modulus of a quantity: between the positions too where it was looked for there, else at the positions that are
-/// kept.
+/// kept, or at the samples of a motion over time.
 fn farthest(analysis: &Analysis, column: Column) -> Option<Turn> {
-    analysis.peaks.of(column).or_else(|| {
-        let table = &analysis.positions;
-        let value = |row| Some(Turn::at(table.get(row, Column::COORDINATE)?, table.get(row, column)?));
+    analysis.peaks.of(column).filter(|_| !is_over_time(analysis)).or_else(|| {
+        let (table, over) = if is_over_time(analysis) {
+            (&analysis.trajectory, Column::TIME)
+        } else {
+            (&analysis.positions, Column::COORDINATE)
+        };
+        let value = |row| Some(Turn::at(table.get(row, over)?, table.get(row, column)?));
         let found: Vec<Turn> = (0..table.len()).filter_map(value).collect();
         Turn::statistic(&found).farthest().map(|best| found[best.number])
     })
@@ -186,7 +207,8 @@ fn travels(analysis: &Analysis, linkage: &Linkage, place: Unit) -> Vec<Fact> {
 
 /// Without what is rounding beside the greatest reaction, of a moment over the size of the mechanism.
 fn reactions(analysis: &Analysis, linkage: &Linkage, place: Unit) -> Vec<Fact> {
-    let schema = analysis.positions.schema();
+    let schema =
+        if is_over_time(analysis) { analysis.trajectory.schema() } else { analysis.positions.schema() };
     let named = |owner| schema.named(owner).map(Text::from).unwrap_or_default();
     let mut facts = Vec::new();
     let pairs = catalogue::reactions(schema);

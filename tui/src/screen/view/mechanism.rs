@@ -47,12 +47,12 @@ fn draw_numbers(pen: &mut Pen<'_>, scene: &Scene, figure: &Figure, area: Rect) {
     if let Some(broken) = scene.broken.get(&state.position) {
         let rows = wrapped(&state.told(&broken.why), usize::from(area.width.max(8)) - 2);
         lines.extend(rows.into_iter().map(|line| (Role::Bad, line)));
-        return pen.put_lines(area, 1, &lines);
+        return list_from(pen, &lines, 0, area);
     }
     // What the arrows are, at the foot of the panel; loads and reactions, which are many, in the list.
     let width = usize::from(area.width.max(8)) - 2;
     let mut legend = legend(state, figure, width);
-    let others = match (&state.probe, state.arrows) {
+    let mut others = match (&state.probe, state.arrows) {
         (Some(probe), _) => {
             lines.extend(of_probe(state, scene, probe));
             Vec::new()
@@ -67,6 +67,11 @@ fn draw_numbers(pen: &mut Pen<'_>, scene: &Scene, figure: &Figure, area: Rect) {
             others(state, scene)
         }
     };
+    if usize::from(area.height) < lines.len() + legend.len() + 1 {
+        // In a low area all is one list.
+        lines.extend(std::mem::take(&mut others).into_iter().chain(std::mem::take(&mut legend)));
+        return list_from(pen, &lines, state.chosen.transfer, area);
+    }
     let [top, list, foot] = Layout::vertical([
         Constraint::Length(short(lines.len())),
         Constraint::Min(0),
@@ -76,10 +81,15 @@ fn draw_numbers(pen: &mut Pen<'_>, scene: &Scene, figure: &Figure, area: Rect) {
     pen.put_lines(top, 1, &lines);
     pen.put_lines(foot, 1, &legend);
     // From the chosen quantity on: so all come in sight.
-    let room = usize::from(list.height);
-    let skip = state.chosen.transfer.min(others.len().saturating_sub(room));
-    pen.put_lines(list, 1, others.iter().skip(skip).take(room));
-    pen.mark_rows(list, skip..others.len().min(skip + room), others.len());
+    list_from(pen, &others, state.chosen.transfer, list);
+}
+
+/// Draws a list from one of its lines on, as far as that fills the area.
+fn list_from(pen: &mut Pen<'_>, lines: &[(Role, String)], from: usize, area: Rect) {
+    let room = usize::from(area.height);
+    let skip = from.min(lines.len().saturating_sub(room));
+    pen.put_lines(area, 1, lines.iter().skip(skip).take(room));
+    pen.mark_rows(area, skip..lines.len().min(skip + room), lines.len());
 }
 
 /// What the vectors of a figure are; a size that has no room beside its name has a row of its own.
