@@ -3,6 +3,7 @@
 //! so that lengths can be compared; a position that is drawn alone has its own.
 
 use std::collections::HashSet;
+use std::sync::Arc;
 
 use assur_book::Unit;
 use assur_figure::number::digits;
@@ -71,8 +72,11 @@ impl Shown {
         let (pose, mut own) = arrows(results, look, look.position, look.part)?;
         let count = results.positions();
         let numbers = (0..count).step_by(count.div_ceil(LOOKED_AT).max(1)).filter(|_| !look.alone);
-        let others = numbers.filter_map(|number| arrows(results, look, number, 0.0));
-        let all: Vec<Arrow> = others.flat_map(|(_, arrows)| arrows).chain(own.iter().cloned()).collect();
+        let others =
+            || numbers.filter_map(|number| arrows(results, look, number, 0.0)).flat_map(|(_, all)| all);
+        let key = (look.arrows, look.alone, results.found.is_some());
+        let known = Arc::clone(results.arrows.borrow_mut().entry(key).or_insert_with(|| others().collect()));
+        let all: Vec<&Arrow> = known.iter().chain(&own).collect();
         let most = |kind: usize| {
             let own = all.iter().filter(|arrow| arrow.kind as usize == kind);
             own.map(|arrow| length(arrow.vector)).fold(0.0, f64::max)
@@ -93,8 +97,9 @@ impl Shown {
         let least = [0.0, 0.0, LEAST * force, LEAST * moment.max(force * size)];
         // Vectors that are zero everywhere are left out, but not what marks a place.
         let is_seen =
-            |arrow: &&Arrow| arrow.told.is_empty() || length(arrow.vector) > least[arrow.kind as usize];
-        let names: HashSet<&Text> = all.iter().filter(is_seen).map(|arrow| &arrow.name).collect();
+            |arrow: &&&Arrow| arrow.told.is_empty() || length(arrow.vector) > least[arrow.kind as usize];
+        let names: HashSet<Text> = all.iter().filter(is_seen).map(|arrow| arrow.name.clone()).collect();
+        let all: Vec<Arrow> = all.into_iter().cloned().collect();
         own.retain(|arrow| names.contains(&arrow.name));
         let mut shown = Self { pose, arrows: own, scales, bounds: Bounds::EMPTY, size };
         shown.bounds = Bounds::around(all.iter().map(|arrow| shown.tip(arrow)));
@@ -166,7 +171,8 @@ impl Shown {
 }
 
 fn has_motion(results: &Results) -> bool {
-    results.found.as_deref().is_some_and(|found| found.plans.calculation().positions_move())
+    let moves = || results.found.as_deref().is_some_and(|found| found.plans.calculation().positions_move());
+    results.samples().is_some() || moves()
 }
 
 /// Whether what is drawn belongs to the instants of a transient motion and not to the positions.

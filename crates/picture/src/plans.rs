@@ -213,7 +213,10 @@ fn panel_of_steps(
     let scale = if on_lever { Scale::of("v", unit) } else { Scale::of("l", "m") };
     let made: Vec<_> = all.into_iter().take_while(|(number, _)| *number <= last).collect();
     let arm_in = on_lever.then_some(unit);
-    let keys = made.iter().filter_map(|(number, _)| key_of_step(&drawn.steps[*number], arm_in));
+    // Of very many entries the first ones are shown: the balancing load is among them.
+    let mut steps: Vec<_> = made.iter().map(|(number, _)| &drawn.steps[*number]).collect();
+    steps.sort_by_key(|step| step.kind != VectorKind::Balancing);
+    let keys = steps.into_iter().filter_map(|step| key_of_step(step, arm_in));
     let legend = plots::limited(keys.collect());
     let vector = |(number, ends): (usize, [[f64; 2]; 2])| {
         let step = &drawn.steps[number];

@@ -16,8 +16,9 @@ use assur_kinematics::{Linkage, Modes, Position, PositionError};
 use assur_mechanism::{GROUND, PointId};
 use assur_words::{Describe, Text, millimeters, number, quantity, text};
 
+use crate::arrows::Arrow;
 use crate::plots::coordinate_axis;
-use crate::{Found, Look, Outline, Series, Transfer, coordinate_unit};
+use crate::{Arrows, Found, Look, Outline, Series, Transfer, coordinate_unit};
 
 /// What was calculated of a scene.
 #[derive(Debug)]
@@ -40,6 +41,8 @@ pub struct Results {
     pub other: Option<Box<Found>>,
     /// By group, the least determinant over the positions, and the position that has it.
     least_health: Vec<Option<(f64, usize)>>,
+    /// The vectors of all positions by what is drawn, kept because a view is drawn many times.
+    pub(crate) arrows: RefCell<HashMap<(Arrows, bool, bool), Arc<[Arrow]>>>,
     /// Modes by group and position, kept because a view is drawn many times.
     modes: RefCell<HashMap<[usize; 2], Option<Arc<Modes>>>>,
 }
@@ -80,8 +83,20 @@ impl Results {
         let outline = Outline::of(&linkage, broken.values().map(|broken| &broken.pose));
         let least_health =
             (0..linkage.structure.groups.len()).map(|group| least_health(&table, group)).collect();
-        let (found, other, modes, cycle) = (None, None, RefCell::default(), None);
-        Ok(Self { linkage, broken, outline, series, transfers, cycle, found, other, least_health, modes })
+        let (found, other, arrows, modes, cycle) = (None, None, RefCell::default(), RefCell::default(), None);
+        Ok(Self {
+            linkage,
+            broken,
+            outline,
+            series,
+            transfers,
+            cycle,
+            found,
+            other,
+            least_health,
+            arrows,
+            modes,
+        })
     }
 
     /// Takes the results of the analysis. Of a transient motion its samples are shown in place of the positions.
@@ -94,6 +109,7 @@ impl Results {
             self.broken.clear();
             self.least_health.clear();
         }
+        self.arrows.borrow_mut().clear();
         self.found = Some(found);
     }
 

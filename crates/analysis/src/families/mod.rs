@@ -190,7 +190,8 @@ fn positions(found: &Calculation, moves: bool, has_forces: bool, to: &mut impl S
     }
     if has_forces {
         forces(found, to);
-        if found.has_forces() && found.has_friction() {
+        // The efficiency of a motion over time would be 0/0 at rest.
+        if found.has_forces() && found.has_friction() && found.positions_have_forces() {
             friction::efficiencies(found, to);
         }
     }

@@ -94,7 +94,7 @@ pub(super) fn how_changed(change: &SignChange) -> Text {
 pub fn list_of_events(events: &[Event], unit: Unit, page: &mut Document) {
     let table = Table::each(Text::default(), events)
         .column(text!("head-number"), |event| event.band)
-        .column(text!("head-event"), |event| event.what.clone())
+        .column(text!("head-occurrence"), |event| event.what.clone())
         .measured(text!("head-from"), unit, |event| event.ends[0])
         .measured(text!("head-to"), unit, |event| Some(event.ends[1]).filter(|_| !event.is_place()))
         .column(text!("head-how"), |event| event.how.clone());
