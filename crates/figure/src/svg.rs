@@ -28,7 +28,7 @@ pub fn sheet(figures: &[Figure], columns: usize, page: Page, language: &Language
             let rows = figures.len().div_ceil(columns).max(1);
             Page::Of([width / columns as f64, height / rows as f64])
         }
-        within => within,
+        within @ Page::Within(_) => within,
     };
     let drawn: Vec<_> = figures.iter().map(|figure| elements(figure, cell, language)).collect();
     let side = |axis: usize| drawn.iter().map(|(_, size)| size[axis]).fold(0.0, f64::max);

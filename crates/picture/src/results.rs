@@ -20,6 +20,9 @@ use crate::arrows::Arrow;
 use crate::plots::coordinate_axis;
 use crate::{Arrows, Found, Look, Outline, Series, Transfer, coordinate_unit};
 
+/// The vectors of all positions: of which kinds, whether of one position alone, whether with the results of the analysis.
+type KeptArrows = HashMap<(Arrows, bool, bool), Arc<[Arrow]>>;
+
 /// What was calculated of a scene.
 #[derive(Debug)]
 pub struct Results {
@@ -42,7 +45,7 @@ pub struct Results {
     /// By group, the least determinant over the positions, and the position that has it.
     least_health: Vec<Option<(f64, usize)>>,
     /// The vectors of all positions by what is drawn, kept because a view is drawn many times.
-    pub(crate) arrows: RefCell<HashMap<(Arrows, bool, bool), Arc<[Arrow]>>>,
+    pub(crate) arrows: RefCell<KeptArrows>,
     /// Modes by group and position, kept because a view is drawn many times.
     modes: RefCell<HashMap<[usize; 2], Option<Arc<Modes>>>>,
 }
@@ -138,6 +141,11 @@ impl Results {
 
     /// The place (rad, m, or s) of a position or sample on horizontal axes, with a fraction between two of them.
     fn place_at(&self, at: f64) -> f64 {
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "the number of a position"
+        )]
         let whole = (at.max(0.0) as usize).min(self.positions().saturating_sub(1));
         let place = |index: usize| match self.samples() {
             Some(samples) => samples.get(index, Column::TIME).unwrap_or(f64::NAN),

@@ -42,7 +42,9 @@ pub(crate) fn run(job: &Job, tell: &dyn Fn(Report)) -> Report {
             // Forces and motion of a second scene are compared too.
             if let (Wanted::Compare(..), Ok(scene)) = (wanted, &mut scene) {
                 let found = scene.session.found(&Options::default(), &mut assur_analysis::unwatched);
-                found.into_iter().for_each(|found| scene.take(Box::new(found)));
+                if let Ok(found) = found {
+                    scene.take(Box::new(found));
+                }
             }
             Report::Read(wanted.clone(), scene)
         }

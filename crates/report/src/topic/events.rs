@@ -30,7 +30,7 @@ impl Event {
 
     /// Whether it occurs at one place.
     pub fn is_place(&self) -> bool {
-        self.ends[0] == self.ends[1]
+        self.ends[0].to_bits() == self.ends[1].to_bits()
     }
 }
 

@@ -15,8 +15,8 @@ pub(super) fn result(state: &mut State) {
         return;
     };
     // What is told of a motion over time may be told by its coordinate.
-    let is_on_axis = |scene: &&Scene| scene.samples().is_none() || fact.at_unit.name == "s";
-    if let Some(at) = fact.at.first().filter(|_| state.scene.as_ref().filter(is_on_axis).is_some()) {
+    let is_on_axis = |scene: &Scene| scene.samples().is_none() || fact.at_unit.name == "s";
+    if let Some(at) = fact.at.first().filter(|_| state.scene.as_ref().is_some_and(is_on_axis)) {
         let near = state.scene.as_ref().map_or(0, |scene| scene.nearest(*at));
         state.go_to(near);
     }

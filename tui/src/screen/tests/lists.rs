@@ -463,7 +463,7 @@ fn the_events_of_the_cycle_are_bands_and_enter_goes_there() {
     let frame = text(&state, 80, 24);
     assert!(frame.contains("mode 1 of group 1") && frame.contains("self-locking"), "{frame}");
     // A place where the force of a guide changes its sign: between the position reached and one beside it.
-    let at = events.iter().position(|event| event.is_place()).unwrap();
+    let at = events.iter().position(assur_report::topic::Event::is_place).unwrap();
     (0..at).for_each(|_| press(&mut state, "Down"));
     press(&mut state, "Enter");
     assert!(text(&state, 80, 24).contains("changes side"));
