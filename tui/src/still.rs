@@ -203,7 +203,7 @@ pub(crate) fn draw(
         _ => figure,
     };
     let frame = |position| Ok(Figure { title: title.clone(), ..still(of(&Look { position, ..look })?) });
-    let frames = results.assembled().map(frame);
+    let frames = results.frames().map(frame);
     let frames = frames.collect::<Result<Vec<_>, StillError>>()?;
     Ok(svg::animate(&frames, page, TURN, language).0.into_bytes())
 }

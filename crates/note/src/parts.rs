@@ -52,7 +52,7 @@ fn task(context: &Context<'_>, page: &mut Document) {
     context.tell(page, &[topic::dimensions, topic::loads_given, topic::motion_given]);
     let results = context.results;
     let frame = |position| on_paper(mechanism::figure(results, &look(position), &[]));
-    let frames = results.assembled().map(frame).filter(|frame| !frame.panels.is_empty());
+    let frames = results.frames().map(frame).filter(|frame| !frame.panels.is_empty());
     let frames: Vec<_> = frames.collect();
     let caption = text!("note-mechanism-moving", at = context.place(results.first_position()));
     page.blocks.extend((!frames.is_empty()).then_some(Block::Figure { frames, size: MECHANISM, caption }));

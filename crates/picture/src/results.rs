@@ -61,6 +61,9 @@ pub struct Base {
     pub cursor: f64,
 }
 
+/// Most frames of an animation of a motion over time.
+const FRAMES: usize = 48;
+
 /// A coordinate within this fraction of a step from a position counts as that position.
 const AT_POSITION: f64 = 1e-6;
 
@@ -203,6 +206,12 @@ impl Results {
     /// The positions that can be assembled.
     pub fn assembled(&self) -> impl Iterator<Item = usize> {
         (0..self.positions()).filter(|index| !self.broken.contains_key(index))
+    }
+
+    /// The positions of an animation: all that can be assembled, or so many samples that an animation can show them.
+    pub fn frames(&self) -> impl Iterator<Item = usize> {
+        let step = self.samples().map_or(1, |samples| samples.len().div_ceil(FRAMES).max(1));
+        self.assembled().step_by(step)
     }
 
     /// The first position that can be assembled, or 0.
