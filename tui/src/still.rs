@@ -183,11 +183,7 @@ pub(crate) fn draw(
     if !request.animate {
         let row = |polygon| {
             let of = |position| of(&Look { position, polygon, ..look });
-            let mut row: Vec<Figure> = positions.iter().copied().map(of).collect::<Result<_, _>>()?;
-            for panel in 0..row[0].panels.len() {
-                one_scale(row.iter_mut().filter_map(|figure| figure.panels.get_mut(panel)));
-            }
-            Ok(row)
+            positions.iter().copied().map(of).collect::<Result<_, _>>().map(to_one_scale)
         };
         let rows = polygons.map(row).collect::<Result<Vec<_>, StillError>>()?.concat();
         return sheet(&rows, positions.len(), page, output, language);
@@ -195,17 +191,35 @@ pub(crate) fn draw(
     if output.extension().is_none_or(|ending| !ending.eq_ignore_ascii_case("svg")) {
         return Err(text!("draw-svg-alone").into());
     }
-    // One turn through all positions that exist.
+    animated(results, &of, &look, page, language)
+}
+
+/// One turn through all positions that exist.
+fn animated(
+    results: &Results,
+    of: &dyn Fn(&Look<'_>) -> Result<Figure, StillError>,
+    look: &Look<'_>,
+    page: Page,
+    language: &'static Language,
+) -> Result<Vec<u8>, StillError> {
     let title = name(results.linkage.mechanism.title.clone());
     // A text stands still: what has other numbers in each frame is left out.
     let still = |figure: Figure| match look.arrows {
         Arrows::Loads | Arrows::Reactions => Figure { legend: Vec::new(), ..figure },
         _ => figure,
     };
-    let frame = |position| Ok(Figure { title: title.clone(), ..still(of(&Look { position, ..look })?) });
+    let frame = |position| Ok(Figure { title: title.clone(), ..still(of(&Look { position, ..*look })?) });
     let frames = results.frames().map(frame);
     let frames = frames.collect::<Result<Vec<_>, StillError>>()?;
     Ok(svg::animate(&frames, page, TURN, language).0.into_bytes())
+}
+
+/// The same figure of several positions: each of its panels has one scale in all.
+fn to_one_scale(mut figures: Vec<Figure>) -> Vec<Figure> {
+    for panel in 0..figures.first().map_or(0, |figure| figure.panels.len()) {
+        one_scale(figures.iter_mut().filter_map(|figure| figure.panels.get_mut(panel)));
+    }
+    figures
 }
 
 /// Figures in rows of so many, or in about as many rows as columns, in the form that the ending of `output` names.

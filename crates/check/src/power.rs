@@ -22,28 +22,13 @@ pub(crate) fn compare(
     let (one, state, loads) = (case.one, case.state, case.loads);
     let linkage = case.subject.linkage;
     let bodies = &one.position.bodies;
-    let scale = linkage.structure.scale;
     let unit_power = UnitBalance::of(&linkage.mechanism).map_or(1.0, |unit| unit.power(bodies));
     let friction = crate::friction::power(case);
     let own = case.reactions.balancing * unit_power;
     let balancing = own + friction;
     let [inertia, slope] = kinetics::reduced(&linkage.mechanism, state.coordinate, bodies);
     let terms = [-inertia * state.acceleration, -0.5 * slope * state.speed * state.speed];
-    let moves = |body: &Body<f64>| body.x1.hypot(body.y1) + body.w1.abs() * scale;
-    let motion = bodies.iter().map(moves).fold(0.0, f64::max);
-    let (mut moment, mut sizes, mut all, mut added, mut carried) = (0.0, 0.0, 0.0, 0.0, 0.0);
-    for ((cause, link), item) in case.items {
-        let body = &bodies[*link];
-        sizes += item.size * moves(body);
-        // A link that rests has the rounding of the motion of others for its motion.
-        carried += item.size * motion;
-        let own = power(&item.wrench, body);
-        all += own;
-        if !matches!(cause, Cause::Inertia(_)) {
-            moment += own;
-        }
-        added += f64::max(all.abs(), moment.abs());
-    }
+    let Sums { moment, sizes, added, carried } = sums(case);
     compare_reduced(case, [inertia, slope, moment], [sizes, added], reduced);
     let exchanged = exchanged(case);
     let total =
@@ -77,6 +62,39 @@ pub(crate) fn compare(
         }
     }
     (residuals, left)
+}
+
+/// The powers of the items of a state, added up.
+#[derive(Default)]
+struct Sums {
+    /// Of all but inertia loads.
+    moment: f64,
+    /// Sizes of the powers.
+    sizes: f64,
+    /// Sizes of the partial sums.
+    added: f64,
+    /// What all would do on the fastest link.
+    carried: f64,
+}
+
+fn sums(case: &Case<'_>) -> Sums {
+    let (bodies, scale) = (&case.one.position.bodies, case.subject.linkage.structure.scale);
+    let moves = |body: &Body<f64>| body.x1.hypot(body.y1) + body.w1.abs() * scale;
+    let motion = bodies.iter().map(moves).fold(0.0, f64::max);
+    let (mut found, mut all) = (Sums::default(), 0.0_f64);
+    for ((cause, link), item) in case.items {
+        let body = &bodies[*link];
+        found.sizes += item.size * moves(body);
+        // A link that rests has the rounding of the motion of others for its motion.
+        found.carried += item.size * motion;
+        let own = power(&item.wrench, body);
+        all += own;
+        if !matches!(cause, Cause::Inertia(_)) {
+            found.moment += own;
+        }
+        found.added += f64::max(all.abs(), found.moment.abs());
+    }
+    found
 }
 
 /// How far the reduced moment of the loads may be off where the motion was found: on a steep line by what it gains over the

@@ -54,12 +54,14 @@ pub(crate) struct Arrow {
     pub(crate) style: (Stroke, Ink),
 }
 
+/// The scale of each kind that there is, and the length, m, of a vector of size 1 in SI.
+type Scales = [Option<(Scale, f64)>; 3];
+
 /// The mechanism with its vectors, in one position or at one instant.
 pub(crate) struct Shown {
     pub(crate) pose: Position,
     arrows: Vec<Arrow>,
-    /// The scale of each kind that there is, and the length, m, of a vector of size 1 in SI.
-    scales: [Option<(Scale, f64)>; 3],
+    scales: Scales,
     /// What the vectors of all positions need.
     bounds: Bounds,
     /// Size of the drawing, m.
@@ -76,10 +78,10 @@ impl Shown {
             || numbers.filter_map(|number| arrows(results, look, number, 0.0)).flat_map(|(_, all)| all);
         let key = (look.arrows, look.alone, results.found.is_some());
         let known = Arc::clone(results.arrows.borrow_mut().entry(key).or_insert_with(|| others().collect()));
-        let all: Vec<&Arrow> = known.iter().chain(&own).collect();
+        let all = || known.iter().chain(&own);
         let most = |kind: usize| {
-            let own = all.iter().filter(|arrow| arrow.kind as usize == kind);
-            own.map(|arrow| length(arrow.vector)).fold(0.0, f64::max)
+            let of_kind = all().filter(|arrow| arrow.kind as usize == kind);
+            of_kind.map(|arrow| length(arrow.vector)).fold(0.0, f64::max)
         };
         let [width, height] = results.outline.bounds.size();
         let size = width.min(height).max(FLAT * width.max(height));
@@ -97,18 +99,11 @@ impl Shown {
         let least = [0.0, 0.0, LEAST * force, LEAST * moment.max(force * size)];
         // Vectors that are zero everywhere are left out, but not what marks a place.
         let is_seen =
-            |arrow: &&&Arrow| arrow.told.is_empty() || length(arrow.vector) > least[arrow.kind as usize];
-        let names: HashSet<Text> = all.iter().filter(is_seen).map(|arrow| arrow.name.clone()).collect();
-        let all: Vec<Arrow> = all.into_iter().cloned().collect();
+            |arrow: &&Arrow| arrow.told.is_empty() || length(arrow.vector) > least[arrow.kind as usize];
+        let bounds = Bounds::around(all().map(|arrow| tip(&scales, arrow)));
+        let names: HashSet<Text> = all().filter(is_seen).map(|arrow| arrow.name.clone()).collect();
         own.retain(|arrow| names.contains(&arrow.name));
-        let mut shown = Self { pose, arrows: own, scales, bounds: Bounds::EMPTY, size };
-        shown.bounds = Bounds::around(all.iter().map(|arrow| shown.tip(arrow)));
-        Some(shown)
-    }
-
-    /// Where the drawing shows the mechanism: a position, or the instant to which its forces belong.
-    pub(crate) fn place(results: &Results, look: &Look<'_>) -> Text {
-        results.place(look.position)
+        Some(Self { pose, arrows: own, scales, bounds, size })
     }
 
     /// The vectors with their names.
@@ -124,7 +119,7 @@ impl Shown {
                 items.extend(arc);
                 middle
             } else {
-                let to = self.tip(arrow);
+                let to = tip(&self.scales, arrow);
                 items.push(Item::Arrow { from: *at, to, stroke: *stroke, ink: *ink });
                 to
             };
@@ -163,11 +158,12 @@ impl Shown {
         bounds.add(self.bounds.high);
         scales.extend(self.scales.iter().flatten().map(|(scale, _)| scale.clone()));
     }
+}
 
-    fn tip(&self, Arrow { at, kind, vector, .. }: &Arrow) -> Point {
-        let scale = self.scales.get(*kind as usize).and_then(Option::as_ref);
-        scale.map_or(*at, |(_, length)| plus(*at, scaled(*length, *vector)))
-    }
+/// Where a vector ends in the drawing; a moment has no end.
+fn tip(scales: &Scales, Arrow { at, kind, vector, .. }: &Arrow) -> Point {
+    let scale = scales.get(*kind as usize).and_then(Option::as_ref);
+    scale.map_or(*at, |(_, length)| plus(*at, scaled(*length, *vector)))
 }
 
 fn has_motion(results: &Results) -> bool {
@@ -175,15 +171,13 @@ fn has_motion(results: &Results) -> bool {
     results.samples().is_some() || moves()
 }
 
-/// Whether what is drawn belongs to the instants of a transient motion and not to the positions.
-fn of_instants(look: &Look<'_>) -> bool {
-    matches!(look.arrows, Arrows::Loads | Arrows::Reactions)
-}
-
 /// Why the loads or reactions that are wanted can't be drawn; `None` where they are.
 pub fn missing(results: &Results, look: &Look<'_>) -> Option<Text> {
-    let lacks = arrows(results, look, look.position, look.part)?.1.is_empty() && of_instants(look);
-    lacks.then(|| Picture::Forces.missing(results, look, ViewPart::Overview).0)
+    if !matches!(look.arrows, Arrows::Loads | Arrows::Reactions) {
+        return None;
+    }
+    let (_, all) = arrows(results, look, look.position, look.part)?;
+    all.is_empty().then(|| Picture::Forces.missing(results, look, ViewPart::Overview).0)
 }
 
 /// The mechanism and the vectors that are wanted, in a position or at an instant.

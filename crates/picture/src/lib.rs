@@ -14,6 +14,7 @@
 mod acting;
 mod arrows;
 pub mod causes;
+mod compared;
 pub mod curves;
 mod events;
 pub mod find;
@@ -23,6 +24,7 @@ mod friction;
 pub mod mechanism;
 pub mod motion;
 mod outline;
+mod over;
 mod places;
 mod planner;
 pub mod plans;
@@ -35,11 +37,13 @@ mod series;
 mod view;
 
 pub use arrows::missing;
+pub use compared::Compared;
 pub use found::{Found, Reaction};
 pub use outline::Outline;
+pub use over::Base;
 pub use planner::{Planner, Plans};
 pub use probe::{PathFigures, Probe};
-pub use results::{Base, Broken, Compared, Results};
+pub use results::{Broken, Results};
 pub use series::{Series, Transfer};
 pub use view::Picture;
 

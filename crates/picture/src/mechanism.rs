@@ -32,7 +32,7 @@ pub fn figure(results: &Results, look: &Look<'_>, marked: &[usize]) -> Figure {
         }
         None => items.extend(broken(results, marked, position)),
     }
-    let at = Shown::place(results, look);
+    let at = results.place(look.position);
     let title = match results.linkage.mechanism.title.as_str() {
         "" => at,
         title => joined(": ", [name(title.to_owned()), at]),

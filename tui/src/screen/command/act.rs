@@ -150,7 +150,7 @@ pub(super) fn nearest(state: &mut State) {
 fn event(state: &mut State) {
     let ends = state.found().and_then(|found| found.events.get(state.chosen.event)).map(|event| event.ends);
     let Some((scene, ends)) = state.scene.as_ref().zip(ends) else { return };
-    let [from, to] = ends.map(|end| scene.nearest(end));
+    let [from, to] = ends.map(|end| scene.nearest_in_cycle(end));
     state.go_to(if state.position == from { to } else { from });
 }
 

@@ -125,7 +125,7 @@ fn to_extreme(state: &mut State, told: &'static str, turns: Option<(Turn, Turn)>
     let (value, place) = if found.value.is_finite() {
         // The end of a cycle is its first position only where the course closes there.
         let place = match scene.among(found.at, series.course.closes() != Some(false)) {
-            [one, _] if scene.samples().is_some() => text!("place-sampled", sample = number(one), at = at()),
+            _ if scene.samples().is_some() => text!("place-sampled", sample = number(near), at = at()),
             [one, other] if one == other => text!("place-in", position = number(one)),
             [one, other] => {
                 text!("place-between", at = at(), one = number(one), other = number(other))

@@ -503,3 +503,25 @@ fn every_quantity_beside_the_mechanism_comes_in_sight() {
         }
     }
 }
+
+/// Two turns of the crank, whose events have coordinates of the cycle, are shown at instants over time.
+#[test]
+fn an_event_leads_to_the_instant_that_is_nearest_in_the_cycle() {
+    let mut state = opened("compressor-start");
+    press(&mut state, "9 b");
+    let events = state.found().unwrap().events.clone();
+    for (number, event) in events.iter().enumerate() {
+        state.position = 100;
+        state.chosen.event = number;
+        press(&mut state, "Enter");
+        let scene = state.scene.as_ref().unwrap();
+        let cycle = scene.linkage.mechanism.input.period().unwrap();
+        let apart = |sample: usize| {
+            let away = (scene.coordinate(sample) - event.ends[0]).rem_euclid(cycle);
+            away.min(cycle - away)
+        };
+        let least = (0..scene.positions()).map(apart).fold(f64::INFINITY, f64::min);
+        assert!(apart(state.position) <= least + 1e-9, "{event:?}: {}", state.position);
+    }
+    assert!(!events.is_empty());
+}
