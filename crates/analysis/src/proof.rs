@@ -30,7 +30,8 @@ impl Calculation {
         let mut worst = None;
         for samples in INTERVALS {
             let (mut motion, trajectory) = self.solved_again(loads, found, samples, true)?;
-            let balance = Balance::of(&mut motion, &trajectory, samples > INTERVALS[0])?;
+            let mut balance = Balance::of(&mut motion, &trajectory, samples > INTERVALS[0])?;
+            balance.unresolved += found.energy.rounding * found.energy.greatest();
             let steps = (trajectory.statistics.steps + 1) as f64;
             let own = 2.0 * (self.tolerance() * steps + found.error_of_fixed_steps());
             let found = worst.insert(balance.worst(own));
@@ -90,7 +91,8 @@ struct Balance {
     /// What the rounding of the speed makes of the power, where a steep characteristic holds a speed, and that of the
     /// coordinate.
     rounding: Vec<f64>,
-    /// The greatest work over a rounding unit of the coordinate in every step, N m: the motion is known no better.
+    /// The greatest work over a rounding unit of the coordinate in every step, and the rounding of the potential energy, J: the
+    /// motion is known no better.
     unresolved: f64,
     /// What an error of the size of the greatest speed in each step would add to the kinetic energy, up to each instant, J: an error of a step is
     /// a part of that speed, and where the reduced inertia grows without limit it counts for more than the energy.

@@ -27,13 +27,15 @@ fn compare_with(case: &Case<'_>, other: &Reactions, method: &AnalyzerPlugin, col
     let off = sizes(&difference, scale, units);
     let own = |method: &AnalyzerPlugin| method.instance.condition(case.subject.linkage, &case.one.position);
     let own = own(&case.subject.methods[case.full]).max(own(method));
-    let usual = ROUNDINGS * f64::EPSILON * case.one.condition * own;
+    let usual = ROUNDINGS * f64::EPSILON * case.condition() * own;
     let shown = if method.gives_reactions { off.len() } else { 1 };
     // Loads may be such that more is lost than the conditions tell; then the rounding is measured.
     let measured = off[..shown].iter().any(|off| *off > usual).then(|| {
         let both = [&case.subject.methods[case.full], method].map(|method| rounding(case, method));
         both.map(|rounding| rounding.map(|numbers| sizes(&numbers, scale, units)))
     });
+    let links = 1..case.subject.linkage.structure.links;
+    let spread = links.map(|link| case.subject.spread(link)).fold(1.0, f64::max);
     let gained = measured.as_ref().and_then(|_| gained_by_friction(case));
     let gained = gained.map(|numbers| sizes(&numbers, scale, units));
     for (k, off) in off[..shown].iter().enumerate() {
@@ -42,8 +44,8 @@ fn compare_with(case: &Case<'_>, other: &Reactions, method: &AnalyzerPlugin, col
             None => usual,
             Some([Some(one), Some(other)]) => usual + gained + SAFETY * (one[k] + other[k]),
             // Nothing can be measured beyond the end of the assembly; what the rounding of the coordinate makes of the
-            // determinant is known.
-            Some(_) => usual / case.one.health,
+            // determinant, and that of the places of the directions of links, is known.
+            Some(_) => usual * spread / case.one.health,
         };
         collector.offer(case.one.index, *off, limit, || number_name(case, k, method.name));
     }

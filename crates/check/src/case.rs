@@ -24,6 +24,15 @@ pub(crate) struct Case<'a> {
     pub(crate) joints: Vec<JointReaction>,
 }
 
+impl Case<'_> {
+    /// How much greater the rounding of the reactions is than that of the loads: a force of friction has that of the normal force
+    /// times the coefficient.
+    pub(crate) fn condition(&self) -> f64 {
+        let frictions = &self.subject.linkage.mechanism.frictions;
+        self.one.condition * frictions.iter().map(|friction| friction.coefficient).fold(1.0, f64::max)
+    }
+}
+
 /// The largest force of a result, N; moments of slides count as forces by the typical length.
 pub(crate) fn largest(reactions: &[Wrench<f64>], scale: f64) -> f64 {
     reactions.iter().map(|r| r.fx.hypot(r.fy) + r.m.abs() / scale).fold(0.0, f64::max)

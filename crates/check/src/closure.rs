@@ -1,7 +1,6 @@
 //! Closure: at every pair both bodies have the same place, PF1 and PF2.
 
 use assur_group::{Body, Pair, PairGeometry};
-use assur_kinematics::Linkage;
 use assur_words::{Text, text};
 
 use crate::subject::{Solved, Subject};
@@ -16,16 +15,14 @@ type Gap = [(f64, f64); 3];
 /// The closure errors of the positions that were added.
 pub(crate) struct Closure {
     collectors: [Collector; 3],
-    /// By link: how far the joints of the mechanism are from the origins, over the least distance of two joints of the
-    /// link, from whose places its direction follows; at least 1.
+    /// By link: its [spread](Subject::spread).
     spreads: Vec<f64>,
 }
 
 impl Closure {
     pub(crate) fn new(subject: &Subject<'_>) -> Self {
         let structure = &subject.linkage.structure;
-        let far = subject.reach() * structure.scale;
-        let spreads = (0..structure.links).map(|link| (far / span(subject.linkage, link)).max(1.0)).collect();
+        let spreads = (0..structure.links).map(|link| subject.spread(link)).collect();
         Self { collectors: NAMES.map(|check| Collector::new(check, REASON)), spreads }
     }
 
@@ -67,14 +64,6 @@ impl Closure {
     pub(crate) fn collectors(self) -> impl Iterator<Item = Collector> {
         self.collectors.into_iter()
     }
-}
-
-/// The least distance of two joints of a link that do not coincide, m; infinite where there are none.
-fn span(linkage: &Linkage, link: usize) -> f64 {
-    let ends = linkage.structure.pairs.iter().flat_map(|named| named.pair.places());
-    let places: Vec<_> = ends.filter(|(body, _)| *body == link).map(|(_, at)| at).collect();
-    let distances = places.iter().flat_map(|a| places.iter().map(|b| (a[0] - b[0]).hypot(a[1] - b[1])));
-    distances.filter(|distance| *distance > 0.0).fold(f64::INFINITY, f64::min)
 }
 
 fn gap(pair: &Pair, bodies: &[Body<f64>]) -> Gap {

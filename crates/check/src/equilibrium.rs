@@ -32,7 +32,7 @@ pub(crate) fn compare(case: &Case<'_>, [links, joints, guides]: [&mut Collector;
     // Rounding of the largest load reaches every reaction.
     let rounding = ROUNDINGS * f64::EPSILON;
     let added = sums.all.iter().map(|sum| sum.added).fold(0.0, f64::max);
-    let limit = rounding_of_sum(added, total) * one.condition;
+    let limit = rounding_of_sum(added, total) * case.condition();
     let off = |sum: &Sum| (sum.wrench.fx.hypot(sum.wrench.fy) + sum.wrench.m.abs() / scale) / total;
     for (link, sum) in sums.all.iter().enumerate().skip(1) {
         let place = || text!("check-link", link = &linkage.mechanism.links[link].name);

@@ -33,7 +33,7 @@ pub(crate) fn compare(case: &Case<'_>, collector: &mut Collector) {
     // Both sides follow from the same moduli z; what tells them apart is the rounding of the terms of a + W z. Their magnitudes
     // add up to z + 2 L z at most, L the lengths of W: in the norm of the eigenvector of L, 1 + 2 `radius` times z.
     let gain = 1.0 + 2.0 * radius;
-    let limit = ROUNDINGS * f64::EPSILON * case.one.condition * gain;
+    let limit = ROUNDINGS * f64::EPSILON * case.condition() * gain;
     let mut forces = friction.forces.iter().zip(&friction.senses);
     for friction in &mechanism.frictions {
         for [link, on] in mechanism.friction_links(friction) {

@@ -36,7 +36,7 @@ pub(crate) fn compare(
     let rounding = 4.0 * f64::EPSILON * carried;
     // Where every power is zero or rounding, the sum is measured by what the loads would do on the fastest link.
     let total = if total > rounding { total } else { carried.max(f64::MIN_POSITIVE) };
-    let limit = (rounding_of_sum(added, total) + rounding / total) * one.condition;
+    let limit = (rounding_of_sum(added, total) + rounding / total) * case.condition();
     let mut left = balancing + moment + terms[0] + terms[1];
     let of_motion = left.abs() / total;
     let unit = if linkage.angular() { "N m" } else { "N" };

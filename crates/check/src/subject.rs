@@ -81,6 +81,17 @@ impl Subject<'_> {
         places.map(|(_, at)| at[0].hypot(at[1]) / structure.scale).fold(1.0, f64::max)
     }
 
+    /// How far the joints of the mechanism are from the origins, over the least distance of two joints of the link that do not
+    /// coincide, from whose places its direction follows; at least 1.
+    pub(crate) fn spread(&self, link: usize) -> f64 {
+        let structure = &self.linkage.structure;
+        let ends = structure.pairs.iter().flat_map(|named| named.pair.places());
+        let places: Vec<_> = ends.filter(|(body, _)| *body == link).map(|(_, at)| at).collect();
+        let distances = places.iter().flat_map(|a| places.iter().map(|b| (a[0] - b[0]).hypot(a[1] - b[1])));
+        let least = distances.filter(|distance| *distance > 0.0).fold(f64::INFINITY, f64::min);
+        (self.reach() * structure.scale / least).max(1.0)
+    }
+
     /// Unit of a transfer function of this order: a typical length (or 1 rad) per unit of the coordinate.
     pub(crate) fn unit(&self, order: usize, is_length: bool) -> f64 {
         let top = if is_length { self.linkage.structure.scale } else { 1.0 };

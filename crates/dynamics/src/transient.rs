@@ -74,6 +74,13 @@ pub struct EnergyBalance {
     pub by_speed: f64,
 }
 
+impl EnergyBalance {
+    /// The largest kinetic energy, J, positive.
+    pub fn greatest(&self) -> f64 {
+        self.kinetic.iter().copied().fold(f64::MIN_POSITIVE, f64::max)
+    }
+}
+
 /// Solves the transient motion that a scene defines. The watcher sees every state that is evaluated and may stop the
 /// motion with an error.
 ///
@@ -253,7 +260,7 @@ fn balance(
     }
     let sums: Vec<f64> = found.kinetic.iter().zip(&found.potential).map(|(t, v)| t + v).collect();
     let first = sums.first().copied().unwrap_or(0.0);
-    let scale = found.kinetic.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
+    let scale = found.greatest();
     found.rounding /= scale;
     found.by_speed = (found.by_speed / scale).max(1.0);
     found.change = sums.iter().map(|sum| (sum - first).abs()).fold(0.0, f64::max) / scale;
