@@ -3,6 +3,7 @@
 use assur_number::{Dd, Intervals, Lanes, Real};
 use assur_words::text;
 
+use crate::driven::Merged;
 use crate::{AssurGroup, Body, BuildError, GroupError, GroupFrame, Order, Wrench};
 
 type Build<T> = fn(&GroupFrame) -> Result<Box<dyn AssurGroup<T>>, BuildError>;
@@ -31,7 +32,11 @@ fn boxed<K: GroupKind, T: Number>(frame: &GroupFrame) -> Result<Box<dyn AssurGro
 }
 
 fn one_by_one<K: GroupKind>(frame: &GroupFrame) -> Result<Box<dyn AssurGroup<Lanes>>, BuildError> {
-    Ok(Box::new(OneByOne(boxed::<K, f64>(frame)?)))
+    in_each_lane(boxed::<K, f64>(frame)?)
+}
+
+fn in_each_lane(kernel: Box<dyn AssurGroup<f64>>) -> Result<Box<dyn AssurGroup<Lanes>>, BuildError> {
+    Ok(Box::new(OneByOne(kernel)))
 }
 
 fn not_enclosed(_: &GroupFrame) -> Result<Box<dyn AssurGroup<Intervals>>, BuildError> {
@@ -72,22 +77,27 @@ pub trait Number: Real {
 }
 
 macro_rules! number {
-    ($type:ty, $field:ident) => {
+    ($type:ty, $field:ident, $driven:expr) => {
         impl Number for $type {
             fn build(
                 builders: &Builders,
                 frame: &GroupFrame,
             ) -> Result<Box<dyn AssurGroup<Self>>, BuildError> {
-                (builders.$field)(frame)
+                if frame.driven.is_empty() { (builders.$field)(frame) } else { $driven(builders, frame) }
             }
         }
     };
 }
-number!(f64, double);
-number!(f32, single);
-number!(Dd, extended);
-number!(Lanes, lanes);
-number!(Intervals, intervals);
+number!(f64, double, merged);
+number!(f32, single, merged);
+number!(Dd, extended, merged);
+number!(Lanes, lanes, |builders, frame| in_each_lane(merged(builders, frame)?));
+number!(Intervals, intervals, |_, frame| not_enclosed(frame));
+
+/// The kernel of a group with driven pairs.
+fn merged<T: Number>(builders: &Builders, frame: &GroupFrame) -> Result<Box<dyn AssurGroup<T>>, BuildError> {
+    Ok(Box::new(Merged::new(builders, frame)?))
+}
 
 /// A kernel that treats the lanes one after the other by a kernel for a single position, and so gives each lane the bits
 /// of its position alone. It allocates.

@@ -7,7 +7,7 @@
 
 use assur_number::Real;
 
-use crate::solver::{Solver, arms, rows};
+use crate::solver::{Solver, arms, driven_row, rows};
 use crate::{Body, Forces, GroupError, GroupFrame, Order, Pair, Wrench, plane::minus};
 
 /// Calls a function with the solver for the number of links as its first type.
@@ -29,7 +29,7 @@ pub(crate) use sized;
 /// Number of links, if the constraints are as many as the unknowns.
 pub(crate) fn links_that_fit(frame: &GroupFrame) -> Option<usize> {
     let links = frame.links.len();
-    let zero_mobility = 3 * links == 2 * frame.pairs().count();
+    let zero_mobility = 3 * links == frame.equations();
     (zero_mobility && links > 0).then_some(links)
 }
 
@@ -50,9 +50,26 @@ pub(crate) fn right_side<T: Real>(frame: &GroupFrame, bodies: &[Body<T>], second
             row += 1;
         }
     }
+    for driven in &frame.driven {
+        let coordinate = &bodies[driven.coordinate];
+        right[row] = match driven_row(driven, bodies) {
+            Some(along) => {
+                // The relative acceleration of Coriolis is across the guide.
+                let own = if second { coordinate.x2 } else { coordinate.x1 };
+                let arms = arms(&driven.pair, bodies).into();
+                (relative_side(frame, bodies, &driven.pair, arms, along, second) + own)
+                    / T::from_f64(frame.scale)
+            }
+            None => {
+                let own = if second { coordinate.w2 } else { coordinate.w1 };
+                angle_side(frame, bodies, &driven.pair, second) + own
+            }
+        };
+        row += 1;
+    }
 }
 
-/// Projection on n of the known motion of b minus that of a, at the point of a pair.
+/// The known side of a constraint of a pair in the direction n, with the acceleration of Coriolis.
 fn point_side<T: Real>(
     frame: &GroupFrame,
     bodies: &[Body<T>],
@@ -61,7 +78,25 @@ fn point_side<T: Real>(
     n: [T; 2],
     second: bool,
 ) -> T {
-    let inverse_scale = T::ONE / T::from_f64(frame.scale);
+    let mut side = relative_side(frame, bodies, pair, arms, n, second);
+    if second && pair.is_slide() {
+        // Coriolis: n (a_a - a_b) = 2 w_b v_r, v_r along the guide; n is the guide turned by 90 degrees.
+        let relative = minus(bodies[pair.a].first(arms[0]), bodies[pair.b].first(arms[1]));
+        let along = n[1] * relative[0] - n[0] * relative[1];
+        side += (bodies[pair.b].w1 * along).twice();
+    }
+    side * (T::ONE / T::from_f64(frame.scale))
+}
+
+/// Projection on n of the known motion of b minus that of a, at the point of a pair.
+fn relative_side<T: Real>(
+    frame: &GroupFrame,
+    bodies: &[Body<T>],
+    pair: &Pair,
+    arms: [[T; 2]; 2],
+    n: [T; 2],
+    second: bool,
+) -> T {
     let known = |body: usize, arm: [T; 2]| {
         let motion = &bodies[body];
         match (frame.column(body).is_some(), second) {
@@ -76,14 +111,7 @@ fn point_side<T: Real>(
         }
     };
     let difference = minus(known(pair.b, arms[1]), known(pair.a, arms[0]));
-    let mut side = n[0] * difference[0] + n[1] * difference[1];
-    if second && pair.is_slide() {
-        // Coriolis: n (a_a - a_b) = 2 w_b v_r, v_r along the guide; n is the guide turned by 90 degrees.
-        let relative = minus(bodies[pair.a].first(arms[0]), bodies[pair.b].first(arms[1]));
-        let along = n[1] * relative[0] - n[0] * relative[1];
-        side += (bodies[pair.b].w1 * along).twice();
-    }
-    side * inverse_scale
+    n[0] * difference[0] + n[1] * difference[1]
 }
 
 fn angle_side<T: Real>(frame: &GroupFrame, bodies: &[Body<T>], pair: &Pair, second: bool) -> T {
@@ -199,13 +227,23 @@ fn balance<T: Real, S: Solver<T>>(
         part.copy_from_slice(&[-load.fx, -load.fy, -(load.m * inverse_scale)]);
     }
     let lambda = transposed.solve(&right);
-    let lambda = lambda.as_ref();
+    let (lambda, pairs) = (lambda.as_ref(), frame.pairs().count());
     for (k, pair) in frame.pairs().enumerate() {
         let (one, two) = (lambda[2 * k], lambda[2 * k + 1]);
-        let reaction = match rows(pair, bodies) {
+        let mut reaction = match rows(pair, bodies) {
             [Some(n), None] => Wrench { fx: n[0] * one, fy: n[1] * one, m: two * scale },
             _ => Wrench { fx: one, fy: two, m: T::ZERO },
         };
+        if let Some(at) = (k + frame.driven.len()).checked_sub(pairs) {
+            let load = lambda[2 * pairs + at];
+            match driven_row(&frame.driven[at], bodies) {
+                Some(along) => {
+                    reaction.fx += along[0] * load;
+                    reaction.fy += along[1] * load;
+                }
+                None => reaction.m += load * scale,
+            }
+        }
         reactions[pair.id] = reaction;
         // An outer pair loads the body outside the group.
         let (on_a, on_b) = arms(pair, bodies);

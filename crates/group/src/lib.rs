@@ -15,6 +15,7 @@
 mod body;
 mod builders;
 mod closed;
+mod driven;
 mod error;
 mod general;
 mod joint;
@@ -37,10 +38,10 @@ pub use general::{derive_generally, health_generally, reactions_generally};
 pub use joint::{PinJoint, SlideJoint, motion_at};
 pub use kernel::{AssurGroup, Mode};
 pub use newton::{Iterated, certify_generally, place_by_newton};
-pub use pair::{GroupFrame, Pair, PairGeometry};
+pub use pair::{Driven, GroupFrame, Pair, PairGeometry};
 pub use pattern::{PairSort, Pattern, Reading, SeenPair};
 pub use registry::{Assemblies, ForceAngle, GroupPlugin, groups, plugin_for};
-pub use solver::constraints;
+pub use solver::{constraints, driven_constraint};
 
 pub use inventory;
 

@@ -5,6 +5,7 @@
 
 use assur_number::{Real, elimination::Factored};
 
+use crate::driven::{angle_between, violation};
 use crate::general::{derive_by, right_side, sized, unfit};
 use crate::plane::{direction, length, minus, times, vector};
 use crate::solver::{Solver, entries, guide};
@@ -152,6 +153,11 @@ fn weakest<T: Real, S: Solver<T>>(frame: &GroupFrame, lu: &S) -> S::Vector {
 fn residual<T: Real>(frame: &GroupFrame, bodies: &[Body<T>], phi: &mut [T]) -> f64 {
     let inverse_scale = T::ONE / T::from_f64(frame.scale);
     let mut most = 0.0_f64;
+    let mut note = |row: usize, part: T| {
+        phi[row] = part;
+        let size = part.abs().greatest();
+        most = if size <= most { most } else { size };
+    };
     for (k, pair) in frame.pairs().enumerate() {
         let (a, b) = (&bodies[pair.a], &bodies[pair.b]);
         let both = match pair.geometry {
@@ -162,19 +168,16 @@ fn residual<T: Real>(frame: &GroupFrame, bodies: &[Body<T>], phi: &mut [T]) -> f
             PairGeometry::Slide { point, through, angle, tilt } => {
                 let [c, s] = guide(bodies, pair.b, angle);
                 let gap = minus(a.point(vector(point)), b.point(vector(through)));
-                let wanted = times([c, s], direction(tilt));
-                let (sine, cosine) = (wanted[0] * a.s - wanted[1] * a.c, wanted[0] * a.c + wanted[1] * a.s);
-                // The sine of an angle where that is small; turned round by more than a right angle it is not satisfied.
-                let whole = T::from_f64(if sine.to_f64() < 0.0 { -2.0 } else { 2.0 });
-                let turn = if cosine.at_least(0.0) { sine } else { whole - sine };
+                let turn = angle_between(a, times([c, s], direction(tilt)));
                 [(c * gap[1] - s * gap[0]) * inverse_scale, turn]
             }
         };
-        phi[2 * k..2 * k + 2].copy_from_slice(&both);
-        for part in both {
-            let size = part.abs().greatest();
-            most = if size <= most { most } else { size };
-        }
+        both.into_iter().enumerate().for_each(|(row, part)| note(2 * k + row, part));
+    }
+    let pairs = frame.pairs().count();
+    for (k, driven) in frame.driven.iter().enumerate() {
+        let unit = if driven.pair.is_slide() { inverse_scale } else { T::ONE };
+        note(2 * pairs + k, violation(driven, bodies) * unit);
     }
     most
 }

@@ -75,8 +75,19 @@ impl Pair {
     }
 }
 
+/// A driven pair between two links of a group: their relative motion is a coordinate of the mechanism, so that both are one rigid
+/// link whose shape depends on it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Driven {
+    /// The pair; `a` is the link that is driven, `b` the one against which it is.
+    pub pair: Pair,
+    /// The body that holds the coordinate: of a pin its direction is the angle of `a` counted from `b`, of a slide the x of its origin
+    /// is the way of the point of `a` along the guide from the point of `b`.
+    pub coordinate: usize,
+}
+
 /// The links and pairs (inner and outer) of a group, as indices and lengths in the compiled chain.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct GroupFrame {
     /// Bodies of the group, in the order of the scene.
     pub links: Vec<usize>,
@@ -84,15 +95,22 @@ pub struct GroupFrame {
     pub inner: Vec<Pair>,
     /// Pairs to outer bodies, which are solved before the group; `a` or `b` may be the link of the group.
     pub outer: Vec<Pair>,
+    /// Driven pairs between two links of the group, which are not among the inner pairs.
+    pub driven: Vec<Driven>,
     /// A typical length of the mechanism, m. It makes determinants dimensionless where the group has no length of its
     /// own.
     pub scale: f64,
 }
 
 impl GroupFrame {
-    /// All pairs: first the inner, then the outer ones.
+    /// All pairs: first the inner, then the outer ones, then the driven ones.
     pub fn pairs(&self) -> impl Iterator<Item = &Pair> {
-        self.inner.iter().chain(&self.outer)
+        self.inner.iter().chain(&self.outer).chain(self.driven.iter().map(|driven| &driven.pair))
+    }
+
+    /// Number of scalar equations: two of each pair, and one more of a driven one.
+    pub fn equations(&self) -> usize {
+        2 * self.pairs().count() + self.driven.len()
     }
 
     /// Index of a body among the group's links, which is its column block among the unknowns; `None` for an outer

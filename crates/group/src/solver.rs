@@ -4,7 +4,7 @@ use assur_number::Real;
 use assur_number::elimination::{Factored, Lu, SparseLu};
 
 use crate::plane::{direction, minus, vector};
-use crate::{Body, GroupError, GroupFrame, Pair, PairGeometry};
+use crate::{Body, Driven, GroupError, GroupFrame, Pair, PairGeometry};
 
 /// The factored matrix J of a group, or its transpose.
 pub(crate) trait Solver<T: Real>: Sized {
@@ -110,29 +110,56 @@ pub(crate) fn rows<T: Real>(pair: &Pair, bodies: &[Body<T>]) -> [Option<[T; 2]>;
     }
 }
 
+/// The direction of the constraint by which a driven pair follows its coordinate: of a slide along its guide; `None`: the angle of a pin.
+pub(crate) fn driven_row<T: Real>(driven: &Driven, bodies: &[Body<T>]) -> Option<[T; 2]> {
+    match driven.pair.geometry {
+        PairGeometry::Pin { .. } => None,
+        PairGeometry::Slide { angle, .. } => Some(guide(bodies, driven.pair.b, angle)),
+    }
+}
+
+/// The coefficients in a constraint of a pair of the velocities of `a` and of `b`, as in [`constraints`].
+fn coefficients<T: Real>(
+    direction: Option<[T; 2]>,
+    (on_a, on_b): ([T; 2], [T; 2]),
+    inverse_scale: T,
+) -> [[T; 3]; 2] {
+    [(on_a, T::ONE), (on_b, -T::ONE)].map(|(arm, sign)| match direction {
+        Some([nx, ny]) => [sign * nx, sign * ny, sign * (ny * arm[0] - nx * arm[1]) * inverse_scale],
+        None => [T::ZERO, T::ZERO, sign],
+    })
+}
+
 /// The two constraints of a pair: for each the coefficients in it of the velocities of `a` and of `b`, of the origin in units of
 /// the scale and of the rotation.
 pub fn constraints<T: Real>(pair: &Pair, bodies: &[Body<T>], scale: f64) -> [[[T; 3]; 2]; 2] {
     let inverse_scale = T::ONE / T::from_f64(scale);
-    let (on_a, on_b) = arms(pair, bodies);
-    rows(pair, bodies).map(|direction| {
-        [(on_a, T::ONE), (on_b, -T::ONE)].map(|(arm, sign)| match direction {
-            Some([nx, ny]) => [sign * nx, sign * ny, sign * (ny * arm[0] - nx * arm[1]) * inverse_scale],
-            None => [T::ZERO, T::ZERO, sign],
-        })
-    })
+    let arms = arms(pair, bodies);
+    rows(pair, bodies).map(|direction| coefficients(direction, arms, inverse_scale))
+}
+
+/// The constraint by which a driven pair follows its coordinate, as [`constraints`].
+pub fn driven_constraint<T: Real>(driven: &Driven, bodies: &[Body<T>], scale: f64) -> [[T; 3]; 2] {
+    let arms = arms(&driven.pair, bodies);
+    coefficients(driven_row(driven, bodies), arms, T::ONE / T::from_f64(scale))
 }
 
 /// Calls a function with each entry of J in units of the scale that may differ from 0: row, column, entry.
 pub(crate) fn entries<T: Real>(frame: &GroupFrame, bodies: &[Body<T>], mut put: impl FnMut(usize, usize, T)) {
     let is_zero = |entry: T| entry.abs().greatest() == 0.0;
-    for (k, pair) in frame.pairs().enumerate() {
-        for (row, sides) in constraints(pair, bodies, frame.scale).into_iter().enumerate() {
-            for (body, entries) in [pair.a, pair.b].into_iter().zip(sides) {
-                let Some(column) = frame.column(body) else { continue };
-                let entries = entries.into_iter().enumerate().filter(|(_, entry)| !is_zero(*entry));
-                entries.for_each(|(i, entry)| put(2 * k + row, 3 * column + i, entry));
-            }
+    let mut next = 0;
+    let mut put_row = |pair: &Pair, sides: [[T; 3]; 2]| {
+        for (body, entries) in [pair.a, pair.b].into_iter().zip(sides) {
+            let Some(column) = frame.column(body) else { continue };
+            let entries = entries.into_iter().enumerate().filter(|(_, entry)| !is_zero(*entry));
+            entries.for_each(|(i, entry)| put(next, 3 * column + i, entry));
         }
+        next += 1;
+    };
+    for pair in frame.pairs() {
+        constraints(pair, bodies, frame.scale).into_iter().for_each(|sides| put_row(pair, sides));
+    }
+    for driven in &frame.driven {
+        put_row(&driven.pair, driven_constraint(driven, bodies, frame.scale));
     }
 }

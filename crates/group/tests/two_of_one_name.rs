@@ -46,6 +46,6 @@ fn two_of_one_name_are_refused() {
         error.to_string(),
         "two plugins are registered as group `twice`: first and second; rename one"
     );
-    let frame = GroupFrame { links: vec![], inner: vec![], outer: vec![], scale: 1.0 };
+    let frame = GroupFrame { links: vec![], inner: vec![], outer: vec![], driven: vec![], scale: 1.0 };
     assert!(plugin_for(&frame).is_err());
 }

@@ -32,7 +32,7 @@ inventory::submit! { entry("first") }
 
 #[test]
 fn two_of_one_pattern_are_refused_where_a_group_has_it() {
-    let empty = GroupFrame { links: vec![], inner: vec![], outer: vec![], scale: 1.0 };
+    let empty = GroupFrame { links: vec![], inner: vec![], outer: vec![], driven: vec![], scale: 1.0 };
     let error = plugin_for(&empty).unwrap_err();
     let (first, second) = (("first", "a crate"), ("second", "a crate"));
     assert_eq!(error, RegistryError::Ambiguous { what: assur_words::text!("group-sort"), first, second });

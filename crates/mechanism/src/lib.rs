@@ -154,9 +154,11 @@ pub struct Slide {
 /// The input link, its coordinate and the positions to calculate.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Input {
-    /// The link.
+    /// The link that is driven.
     pub link: LinkId,
-    /// Its pair with the ground, which also defines the coordinate.
+    /// The link against which it is driven: the ground, or a moving link (a cylinder, a motor in a joint).
+    pub on: LinkId,
+    /// The pair between both, which also defines the coordinate.
     pub pair: InputPair,
     /// What the coordinate is called in results; `None`: by no name of its own.
     pub name: Option<Name>,
@@ -170,10 +172,10 @@ pub struct Input {
     pub direction: Sense,
 }
 
-/// The pair between the input link and the ground.
+/// The pair that is driven.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum InputPair {
-    /// Pinned at this point; the coordinate is the angle of the x axis of the link, rad.
+    /// Pinned at this point; the coordinate is the angle of the x axis of the link, counted from that of [`Input::on`], rad.
     Pin(PointId),
     /// Sliding; the coordinate is the displacement of this slide, m.
     Slide(SlideId),
@@ -212,7 +214,8 @@ impl Default for Input {
     /// One turn of nothing, in one position.
     fn default() -> Self {
         let (pair, range) = (InputPair::Pin(0), Range::Cycle(std::f64::consts::TAU));
-        Self { link: GROUND, pair, name: None, from: 0.0, positions: 1, range, direction: Sense::Ccw }
+        let (link, on, direction) = (GROUND, GROUND, Sense::Ccw);
+        Self { link, on, pair, name: None, from: 0.0, positions: 1, range, direction }
     }
 }
 
@@ -220,6 +223,24 @@ impl Input {
     /// Whether the coordinate is an angle (rad); otherwise a displacement (m).
     pub fn is_angle(&self) -> bool {
         matches!(self.pair, InputPair::Pin(_))
+    }
+
+    /// Whether it drives one moving link against another; otherwise one against the ground.
+    pub fn is_relative(&self) -> bool {
+        self.on != GROUND
+    }
+
+    /// The link whose pose follows from the coordinate alone; `None` where two moving links are driven.
+    pub fn placed(&self) -> Option<LinkId> {
+        (!self.is_relative()).then_some(self.link)
+    }
+
+    /// The pair that is driven, as the scene names it.
+    pub fn driven_pair(&self) -> PairId {
+        match self.pair {
+            InputPair::Pin(point) => PairId::Pin(point),
+            InputPair::Slide(slide) => PairId::Slide(slide),
+        }
     }
 
     /// Sign of the motion along the coordinate: that of `direction`, even if the positions are a range.
@@ -326,7 +347,8 @@ impl Mechanism {
             == [other.links.len(), other.points.len(), other.slides.len()]
             && self.points.iter().zip(&other.points).all(same_links)
             && self.slides.iter().zip(&other.slides).all(same_guide)
-            && (self.input.link, self.input.pair) == (other.input.link, other.input.pair)
+            && (self.input.link, self.input.on, self.input.pair)
+                == (other.input.link, other.input.on, other.input.pair)
     }
 
     /// The point of this name.
@@ -359,7 +381,7 @@ impl Mechanism {
         }
         let inertia = found.inertia.constant();
         let massless = found.mass <= 0.0 && inertia <= 0.0;
-        massless || link == self.input.link || inertia <= 0.0 && self.points.iter().any(rests)
+        massless || Some(link) == self.input.placed() || inertia <= 0.0 && self.points.iter().any(rests)
     }
 
     /// Whether the reduced moment of inertia J of all moving links is the same at every coordinate, by structure. It

@@ -27,7 +27,10 @@ impl Structure {
         let scale = typical_length(mechanism);
         let mut pairs = vec![input_pair(mechanism)];
         let mut rank = vec![usize::MAX; mechanism.links.len()];
-        (rank[GROUND], rank[mechanism.input.link]) = (0, 1);
+        rank[GROUND] = 0;
+        if let Some(link) = mechanism.input.placed() {
+            rank[link] = 1;
+        }
         let mut groups = Vec::new();
         for part in graph.parts() {
             let links = links_of(&graph, &part);
@@ -72,7 +75,8 @@ fn count(mechanism: &Mechanism) -> Mobility {
 
 /// Builds the unknowns (links and pins) and the equations between them; ground and input link are known.
 pub(crate) fn counted_system(mechanism: &Mechanism, left_out: &LeftOut) -> Graph {
-    let known = |link: LinkId| link == GROUND || link == mechanism.input.link;
+    let placed = mechanism.input.placed();
+    let known = |link: LinkId| link == GROUND || Some(link) == placed;
     let links = (1..mechanism.links.len()).filter(|&link| !known(link) && !left_out.link(link));
     let mut nodes: Vec<Node> = links.map(Node::Link).collect();
     // A pin of which every link is left out has no place.
@@ -92,22 +96,26 @@ pub(crate) fn counted_system(mechanism: &Mechanism, left_out: &LeftOut) -> Graph
     for (id, point) in mechanism.points.iter().enumerate().filter(|(_, point)| point.is_pin()) {
         for place in point.places.iter().filter(|place| !left_out.pair(PairId::Pin(id), place.link)) {
             // The input coordinate replaces the input's own pair with the ground.
-            if place.link == mechanism.input.link && mechanism.input.pair == InputPair::Pin(id) {
+            if Some(place.link) == placed && mechanism.input.pair == InputPair::Pin(id) {
                 continue;
             }
             let ends = [points[id], links[place.link]];
-            blocks.push(Block { nodes: ends.into_iter().flatten().collect(), source: PairId::Pin(id) });
+            blocks.push(Block::of(2, ends, PairId::Pin(id)));
         }
     }
     for (id, slide) in mechanism.slides.iter().enumerate() {
-        if mechanism.input.pair == InputPair::Slide(id)
+        if placed.is_some() && mechanism.input.pair == InputPair::Slide(id)
             || left_out.pair(PairId::Slide(id), slide.link)
             || left_out.link(slide.on)
         {
             continue;
         }
         let ends = [links[slide.link], links[slide.on]];
-        blocks.push(Block { nodes: ends.into_iter().flatten().collect(), source: PairId::Slide(id) });
+        blocks.push(Block::of(2, ends, PairId::Slide(id)));
+    }
+    if mechanism.input.is_relative() {
+        let ends = [mechanism.input.link, mechanism.input.on].map(|link| links[link]);
+        blocks.push(Block::of(1, ends, mechanism.input.driven_pair()));
     }
     Graph::matched(nodes, blocks)
 }
@@ -190,14 +198,15 @@ fn group_of(mechanism: &Mechanism, frame: GroupFrame, pairs: &[NamedPair]) -> Re
     if let Some([pin, slide]) = held {
         return Err(StructureError::Held { pin, slide });
     }
-    let (class, order) = class_and_order(&frame);
-    match plugin_for(&frame)? {
+    let merged = frame.merged_pattern();
+    let (class, order) = class_and_order(&merged);
+    match plugin_for(&merged)? {
         Some(plugin) => Ok(Group { frame, plugin, class, order }),
         None => Err(StructureError::NoPlugin {
             links: frame.links.iter().map(|&link| mechanism.links[link].name.to_string()).collect(),
             class,
             order,
-            pattern: pattern(mechanism, &frame, pairs),
+            pattern: pattern(mechanism, &merged, pairs),
         }),
     }
 }
@@ -215,16 +224,14 @@ fn pattern(mechanism: &Mechanism, frame: &GroupFrame, pairs: &[NamedPair]) -> Te
 }
 
 fn formula(mechanism: &Mechanism, groups: &[Group]) -> Name {
-    let links = |sort: String, links: &[LinkId]| {
-        let names = links.iter().map(|&link| Text::from(&mechanism.links[link].name));
-        joined("", [name(sort + "("), joined(",", names), name(")")])
-    };
-    let input = links("I".to_owned(), &[GROUND, mechanism.input.link]);
+    let named = |link: LinkId| Text::from(&mechanism.links[link].name);
+    let links = |sort: String, links: Vec<Text>| joined("", [name(sort + "("), joined(",", links), name(")")]);
+    let input = links("I".to_owned(), [mechanism.input.on, mechanism.input.link].map(named).to_vec());
     let groups = groups.iter().map(|group| {
         let class = roman(group.class);
         let number = group.plugin.number;
         let sort = if number > 0 { format!("{class}{number}") } else { format!("{class}/{}", group.order) };
-        links(sort, &group.frame.links)
+        links(sort, group.merged_links().map(|links| joined("+", links.into_iter().map(named))).collect())
     });
     joined(" -> ", std::iter::once(input).chain(groups)).into()
 }

@@ -2,7 +2,7 @@
 
 use std::collections::HashSet;
 
-use assur_group::{GroupFrame, Pair, PairGeometry};
+use assur_group::{Driven, GroupFrame, Pair, PairGeometry};
 use assur_mechanism::{GROUND, InputPair, LinkId, Mechanism, PairId, Place, PointId, Slide, SlideId};
 use assur_number::elementary;
 
@@ -136,12 +136,21 @@ fn named(mechanism: &Mechanism, source: PairId, id: usize, a: LinkId, b: LinkId)
     NamedPair { pair: Pair { id, a, b, geometry: geometry(mechanism, source, a, b) }, source }
 }
 
-/// The pair of the input link with the ground, the first of all.
+/// The pair that is driven, the first of all.
 pub(crate) fn input_pair(mechanism: &Mechanism) -> NamedPair {
-    match mechanism.input.pair {
-        InputPair::Pin(point) => named(mechanism, PairId::Pin(point), 0, mechanism.input.link, GROUND),
+    let input = &mechanism.input;
+    match input.pair {
+        InputPair::Pin(point) => named(mechanism, PairId::Pin(point), 0, input.link, input.on),
         InputPair::Slide(slide) => slide_pair(mechanism, slide, 0),
     }
+}
+
+/// The driven pair between two of these links, which is the first of all pairs.
+fn driven(mechanism: &Mechanism, links: &[LinkId], pairs: &[NamedPair]) -> Vec<Driven> {
+    let input = &mechanism.input;
+    let is_within = input.is_relative() && [input.link, input.on].iter().all(|link| links.contains(link));
+    let coordinate = mechanism.links.len();
+    is_within.then(|| Driven { pair: pairs[0].pair, coordinate }).into_iter().collect()
 }
 
 fn slide_pair(mechanism: &Mechanism, slide: SlideId, id: usize) -> NamedPair {
@@ -160,7 +169,8 @@ impl Structure {
         let passive = self.passive.iter_mut().map(|passive| &mut passive.frame);
         for frame in self.groups.iter_mut().map(|group| &mut group.frame).chain(passive) {
             frame.scale = self.scale;
-            for pair in frame.inner.iter_mut().chain(&mut frame.outer) {
+            let driven = frame.driven.iter_mut().map(|driven| &mut driven.pair);
+            for pair in frame.inner.iter_mut().chain(&mut frame.outer).chain(driven) {
                 *pair = self.pairs[pair.id].pair;
             }
         }
@@ -175,16 +185,20 @@ pub(crate) fn frame_of(
     scale: f64,
     pairs: &mut Vec<NamedPair>,
 ) -> GroupFrame {
-    let mut frame = GroupFrame { links, inner: Vec::new(), outer: Vec::new(), scale };
+    let driven = driven(mechanism, &links, pairs);
+    let mut frame = GroupFrame { links, inner: Vec::new(), outer: Vec::new(), driven, scale };
+    let is_driven = |pair: PairId| !frame.driven.is_empty() && pair == mechanism.input.driven_pair();
+    let is_hung =
+        |pair: PairId, link: LinkId| !left_out.is_alone(pair, link) && !(is_driven(pair) && link == mechanism.input.link);
     let mut found = pins_of(
-        (mechanism, left_out),
+        (mechanism, &is_hung),
         &common(&incidence.points, &frame.links),
         &frame.links,
         rank,
         pairs.len(),
     );
     let slides = common(&incidence.slides, &frame.links).into_iter();
-    for id in slides.filter(|id| !left_out.is_alone(PairId::Slide(*id), mechanism.slides[*id].link)) {
+    for id in slides.filter(|id| is_hung(PairId::Slide(*id), mechanism.slides[*id].link)) {
         let slide = &mechanism.slides[id];
         let within = |link: LinkId| frame.links.contains(&link);
         let solved = |link: LinkId| rank[link] != usize::MAX;
@@ -219,12 +233,12 @@ pub(crate) fn pair_alone(
         }
     };
     pairs.push(found);
-    GroupFrame { links: Vec::new(), inner: Vec::new(), outer: vec![found.pair], scale }
+    GroupFrame { outer: vec![found.pair], scale, ..GroupFrame::default() }
 }
 
 /// Pairs of the pins, between links of a group and between the group and solved links.
 fn pins_of(
-    (mechanism, left_out): (&Mechanism, &LeftOut),
+    (mechanism, is_hung): (&Mechanism, &dyn Fn(PairId, LinkId) -> bool),
     points: &[PointId],
     links: &[LinkId],
     rank: &[usize],
@@ -233,7 +247,7 @@ fn pins_of(
     let mut found = Vec::new();
     let points = points.iter().map(|&id| (id, &mechanism.points[id]));
     for (id, point) in points.filter(|(_, point)| point.is_pin()) {
-        let held = || point.places.iter().filter(|place| !left_out.is_alone(PairId::Pin(id), place.link));
+        let held = || point.places.iter().filter(|place| is_hung(PairId::Pin(id), place.link));
         let members: Vec<_> = held().filter(|place| links.contains(&place.link)).collect();
         let solved = held().filter(|place| rank[place.link] != usize::MAX);
         // All links of a pin are joined to one body: the first that is solved, otherwise the first link of the group.

@@ -22,13 +22,26 @@ impl Node {
     }
 }
 
-/// The two scalar equations of one membership or slide, which involve one or two unknown nodes.
+/// The scalar equations of one membership or slide, or of a driven pair, which involve one or two unknown nodes.
 #[derive(Debug, Clone)]
 pub(crate) struct Block {
+    /// Two of a membership or slide, one by which a driven pair follows its coordinate.
+    pub(crate) equations: usize,
     /// Indices of the nodes involved; never more than two.
     pub(crate) nodes: Vec<usize>,
     /// The pin or slide, for messages.
     pub(crate) source: assur_mechanism::PairId,
+}
+
+impl Block {
+    /// Equations between one or two unknown nodes; `None` for what is known.
+    pub(crate) fn of(
+        equations: usize,
+        ends: [Option<usize>; 2],
+        source: assur_mechanism::PairId,
+    ) -> Self {
+        Self { equations, nodes: ends.into_iter().flatten().collect(), source }
+    }
 }
 
 /// Nodes and blocks, and the matching between them.
@@ -36,7 +49,9 @@ pub(crate) struct Block {
 pub(crate) struct Graph {
     pub(crate) nodes: Vec<Node>,
     pub(crate) blocks: Vec<Block>,
-    /// For each scalar equation (two a block) the node that it determines.
+    /// For each scalar equation its block.
+    block_of: Vec<usize>,
+    /// For each scalar equation the node that it determines.
     matched: Vec<Option<usize>>,
     /// For each node the equations that determine it, at most as many as its degrees of freedom.
     held: Vec<Vec<usize>>,
@@ -61,15 +76,22 @@ impl Graph {
     /// unknown of their own, so the paths are short and the time is nearly linear for a scene in any order. What a failed
     /// search has reached is not searched again, so that any number of surplus equations takes linear time too.
     pub(crate) fn matched(nodes: Vec<Node>, blocks: Vec<Block>) -> Self {
-        let (equations, count) = (2 * blocks.len(), nodes.len());
+        let of_block = |(index, block): (usize, &Block)| std::iter::repeat_n(index, block.equations);
+        let block_of: Vec<usize> = blocks.iter().enumerate().flat_map(of_block).collect();
+        let (equations, count) = (block_of.len(), nodes.len());
         let held = vec![Vec::with_capacity(3); count];
-        let mut graph = Self { nodes, blocks, matched: vec![None; equations], held };
+        let mut graph = Self { nodes, blocks, block_of, matched: vec![None; equations], held };
         let (met, closed, from) = (vec![0; count], vec![false; count], vec![0; count]);
         let mut search = Search { met, closed, from, queue: VecDeque::new(), reached: Vec::new() };
         for equation in 0..equations {
             graph.augment(equation, &mut search);
         }
         graph
+    }
+
+    /// The block of an equation.
+    fn block(&self, equation: usize) -> &Block {
+        &self.blocks[self.block_of[equation]]
     }
 
     fn is_free(&self, node: usize) -> bool {
@@ -83,8 +105,8 @@ impl Graph {
         search.reached.clear();
         search.queue.push_back(equation);
         while let Some(next) = search.queue.pop_front() {
-            for k in 0..self.blocks[next / 2].nodes.len() {
-                let node = self.blocks[next / 2].nodes[k];
+            for k in 0..self.block(next).nodes.len() {
+                let node = self.block(next).nodes[k];
                 if search.met[node] == stamp || search.closed[node] {
                     continue;
                 }
@@ -118,10 +140,10 @@ impl Graph {
     /// Blocks and nodes of the first over-determined part, if there is one: an unmatched equation with all equations
     /// that it could displace.
     pub(crate) fn surplus(&self) -> Option<(Vec<usize>, Vec<usize>)> {
-        let first = self.matched.iter().position(Option::is_none)? / 2;
+        let first = self.block_of[self.matched.iter().position(Option::is_none)?];
         let nodes_of = |block: usize| self.blocks[block].nodes.iter().copied();
         let mut blocks = reached(self.blocks.len(), vec![first], |block| {
-            nodes_of(block).flat_map(|node| self.held[node].iter().map(|equation| equation / 2))
+            nodes_of(block).flat_map(|node| self.held[node].iter().map(|equation| self.block_of[*equation]))
         });
         blocks.sort_unstable();
         let mut nodes: Vec<usize> = blocks.iter().flat_map(|&block| nodes_of(block)).collect();
@@ -158,7 +180,7 @@ impl Graph {
     /// For each node the nodes it depends on: the other ends of the equations that determine it.
     fn needs(&self) -> Vec<Vec<usize>> {
         let others = |node: usize| {
-            let ends = self.held[node].iter().flat_map(|equation| &self.blocks[equation / 2].nodes);
+            let ends = self.held[node].iter().flat_map(|equation| &self.block(*equation).nodes);
             let mut others: Vec<usize> = ends.copied().filter(|&other| other != node).collect();
             others.sort_unstable();
             others.dedup();

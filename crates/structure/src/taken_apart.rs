@@ -133,9 +133,21 @@ impl Structure {
 }
 
 impl Group {
+    /// The links in the order of the scene, those that driven pairs make one link together: first the one against which the others are
+    /// driven.
+    pub fn merged_links(&self) -> impl Iterator<Item = Vec<LinkId>> {
+        let driven = &self.frame.driven;
+        let links = self.frame.links.iter().filter(|link| driven.iter().all(|one| one.pair.a != **link));
+        links.map(|&link| {
+            let with = driven.iter().filter(move |one| one.pair.b == link).map(|one| one.pair.a);
+            std::iter::once(link).chain(with).collect()
+        })
+    }
+
     /// Outer pairs in the order of the kind's pattern, with their bodies in the order of the scene.
     pub fn outer(&self) -> Vec<Pair> {
-        let reading = self.plugin.pattern.and_then(|pattern| pattern.find(&self.frame));
+        let merged = self.frame.merged_pattern();
+        let reading = self.plugin.pattern.and_then(|pattern| pattern.find(&merged));
         let Some(reading) = reading else { return self.frame.outer.clone() };
         let original =
             |seen: &SeenPair| self.frame.outer.iter().find(|pair| pair.id == seen.pair.id).copied();
