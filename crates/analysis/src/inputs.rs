@@ -100,11 +100,13 @@ impl StructureStudy {
 
 /// Every possible input of a mechanism, links in the order of the scene.
 fn inputs(mechanism: &Mechanism, posed: &Mechanism, position: Option<&Position>) -> Vec<PossibleInput> {
+    let present = (mechanism.input.link, mechanism.input.pair);
     let of = |input: (LinkId, InputPair)| {
-        let present = input == (mechanism.input.link, mechanism.input.pair);
+        let present = input == present;
         one(if present { mechanism } else { posed }, input, present, position)
     };
-    let mut found: Vec<PossibleInput> = possible(mechanism).into_iter().map(of).collect();
+    let relative = mechanism.input.is_relative().then_some(present);
+    let mut found: Vec<PossibleInput> = relative.into_iter().chain(possible(mechanism)).map(of).collect();
     let present = found.iter().find(|input| input.present).and_then(|input| input.class);
     for input in &mut found {
         input.simpler = input.class.zip(present).is_some_and(|(class, present)| class < present);
@@ -153,7 +155,9 @@ fn one(
     position: Option<&Position>,
 ) -> PossibleInput {
     let mut driven = mechanism.clone();
-    (driven.input.link, driven.input.pair) = (link, pair);
+    if !present {
+        (driven.input.link, driven.input.on, driven.input.pair) = (link, GROUND, pair);
+    }
     if let Some(position) = position.filter(|_| !present) {
         (driven.input.from, driven.input.range) = begin(mechanism, (link, pair), position);
     }

@@ -51,7 +51,7 @@ impl Closure {
         // Where the position is interpolated, the determinant does not matter.
         let across = linkage.is_interpolated(one.position.coordinate);
         let turned = lost[0] / if across { 1.0 } else { one.health };
-        for (id, body) in bodies.iter().enumerate().skip(1) {
+        for (id, body) in bodies.iter().enumerate().take(linkage.structure.links).skip(1) {
             // The direction of a link is a unit vector.
             let off = (body.c * body.c + body.s * body.s - 1.0).abs();
             let limit = ROUNDINGS * f64::EPSILON * turned * self.spreads[id];

@@ -97,15 +97,18 @@ impl Sums<'_> {
             self.add_at(unit.link, origin(unit.link), force, size * wrench.m);
             return;
         }
-        let link = mechanism.input.link;
-        match mechanism.input.pair {
-            InputPair::Pin(_) => self.add_at(link, origin(link), [0.0; 2], size),
-            InputPair::Slide(id) => {
-                // Along the guide of the ground, through the sliding point.
-                let slide = &mechanism.slides[id];
-                let (s, c) = slide.angle.sin_cos();
-                let place = bodies[slide.link].point(slide.point);
-                self.add_at(link, place, [size * c, size * s], 0.0);
+        let ends = [(mechanism.input.link, size), (mechanism.input.on, -size)];
+        for (link, size) in ends.into_iter().filter(|(link, _)| *link != GROUND) {
+            match mechanism.input.pair {
+                InputPair::Pin(_) => self.add_at(link, origin(link), [0.0; 2], size),
+                InputPair::Slide(id) => {
+                    // Along the guide, through the sliding point.
+                    let slide = &mechanism.slides[id];
+                    let (s, c) = slide.angle.sin_cos();
+                    let place = bodies[slide.link].point(slide.point);
+                    let along = bodies[slide.on].turned([c, s]);
+                    self.add_at(link, place, along.map(|part| size * part), 0.0);
+                }
             }
         }
     }

@@ -80,7 +80,8 @@ struct Sums {
 fn sums(case: &Case<'_>) -> Sums {
     let (bodies, scale) = (&case.one.position.bodies, case.subject.linkage.structure.scale);
     let moves = |body: &Body<f64>| body.x1.hypot(body.y1) + body.w1.abs() * scale;
-    let motion = bodies.iter().map(moves).fold(0.0, f64::max);
+    let links = case.subject.linkage.structure.links;
+    let motion = bodies.iter().take(links).map(moves).fold(0.0, f64::max);
     let (mut found, mut all) = (Sums::default(), 0.0_f64);
     for ((cause, link), item) in case.items {
         let body = &bodies[*link];

@@ -144,8 +144,9 @@ impl<'a, T: Precision> Differences<'a, T> {
         let chain = &perturbed[usize::try_from(trial).ok()?];
         let mut bodies = start.to_vec();
         chain.set_input(q, &mut bodies);
-        let input = subject.linkage.mechanism.input.link;
-        perturbation.link(&mut bodies[input], input);
+        if let Some(input) = subject.linkage.mechanism.input.placed() {
+            perturbation.link(&mut bodies[input], input);
+        }
         for (kernel, way) in chain.groups.iter().zip(ways) {
             bodies[0] = Body::ground();
             perturbation.ground(&mut bodies[0]);

@@ -1,10 +1,10 @@
 //! Force polygons of the groups and of the input link (S figs. 15, 17).
 
-use assur_force::{Acting, Cause, Reactions, UnitBalance, VectorKind};
+use assur_force::{Acting, Cause, Reactions, UnitBalance, VectorKind, drive_direction};
 use assur_group::Body;
 use assur_group::plane::{opposite, scaled};
 use assur_kinematics::{Linkage, Position};
-use assur_mechanism::{GROUND, InputPair, LinkId};
+use assur_mechanism::{GROUND, LinkId};
 use assur_words::{Text, joined, name, text};
 
 use crate::plan::{VectorPlan, length};
@@ -32,25 +32,24 @@ pub fn force_polygons(
         let title = text!("plan-forces-of", group = structure.group_name(mechanism, index));
         drawer.polygon(title, &group.frame.links)
     });
-    let input = mechanism.input.link;
-    let title = text!("plan-forces-of-input", link = &mechanism.links[input].name);
-    groups.chain([drawer.polygon(title, &[input])]).collect()
+    let input = mechanism.input.placed().map(|input| {
+        let title = text!("plan-forces-of-input", link = &mechanism.links[input].name);
+        drawer.polygon(title, &[input])
+    });
+    groups.chain(input).collect()
 }
 
-/// The balancing force and its link; `None` for a moment.
-fn balance(linkage: &Linkage, position: &Position, reactions: &Reactions) -> Option<(LinkId, [f64; 2])> {
+/// The balancing force on each link on which it acts; none of a moment.
+fn balance(linkage: &Linkage, position: &Position, reactions: &Reactions) -> Vec<(LinkId, [f64; 2])> {
     let mechanism = &linkage.mechanism;
     let (link, unit) = match UnitBalance::of(mechanism) {
         Some(unit) => (unit.link, unit.wrench(&position.bodies).force()),
-        None => match mechanism.input.pair {
-            InputPair::Pin(_) => return None,
-            InputPair::Slide(_) => {
-                let body = &position.bodies[mechanism.input.link];
-                (mechanism.input.link, [body.x1, body.y1])
-            }
-        },
+        None => (mechanism.input.link, drive_direction(mechanism, &position.bodies).unwrap_or_default()),
     };
-    (unit != [0.0, 0.0]).then(|| (link, scaled(reactions.balancing, unit)))
+    let on = mechanism.input.is_relative() && reactions.unit.is_none();
+    let opposite = on.then_some((mechanism.input.on, -reactions.balancing));
+    let both = std::iter::once((link, reactions.balancing)).chain(opposite);
+    both.filter(|_| unit != [0.0, 0.0]).map(|(link, size)| (link, scaled(size, unit))).collect()
 }
 
 struct Drawer<'a> {
@@ -58,7 +57,7 @@ struct Drawer<'a> {
     bodies: &'a [Body<f64>],
     loads: &'a [Acting],
     reactions: &'a Reactions,
-    balance: Option<(LinkId, [f64; 2])>,
+    balance: Vec<(LinkId, [f64; 2])>,
     /// Forces below this are rounding, N; a group with no greater force is unloaded.
     floor: f64,
 }
@@ -102,9 +101,9 @@ impl Drawer<'_> {
             }
             corner = plan.push(corner, (kind, told, load.wrench.force(), note()));
         }
-        if let Some((_, force)) = self.balance.filter(|(loaded, _)| *loaded == link) {
+        for (_, force) in self.balance.iter().filter(|(loaded, _)| *loaded == link) {
             let note = text!("plan-balancing-on", link = &mechanism.links[link].name);
-            corner = plan.push(corner, (VectorKind::Balancing, name("Fb"), force, note));
+            corner = plan.push(corner, (VectorKind::Balancing, name("Fb"), *force, note));
         }
         let outside = |other: LinkId| other == GROUND || !links.contains(&other);
         for (joint, force, note) in self.pairs(link, outside) {

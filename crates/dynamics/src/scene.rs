@@ -132,7 +132,7 @@ pub(crate) fn cycle_request(mechanism: &Mechanism) -> Result<(CycleRequest, Opti
 /// The input link about its pin (a sliding one: its mass), without a moment of inertia by a formula: the part of J(q) that never
 /// varies.
 fn constant_inertia(mechanism: &Mechanism) -> f64 {
-    let link = &mechanism.links[mechanism.input.link];
+    let Some(link) = mechanism.input.placed().map(|link| &mechanism.links[link]) else { return 0.0 };
     match mechanism.input.pair {
         InputPair::Pin(point) => {
             let pin = mechanism.place_in(point, mechanism.input.link).unwrap_or_default();

@@ -1,6 +1,7 @@
 //! The place where the balancing load acts.
 
-use assur_group::{Body, Wrench, plane::vector};
+use assur_group::plane::{self, vector};
+use assur_group::{Body, Wrench};
 use assur_kinematics::Linkage;
 use assur_mechanism::{Balance, InputPair, LinkId, Mechanism};
 use assur_number::{ROUNDING, Real, elementary};
@@ -24,6 +25,14 @@ enum UnitLoad {
     Force { at: [f64; 2], along: [f64; 2] },
 }
 
+/// The direction of the force of the drive on the input link, in the ground's frame; `None` where it is a moment.
+pub fn drive_direction<T: Real>(mechanism: &Mechanism, bodies: &[Body<T>]) -> Option<[T; 2]> {
+    let InputPair::Slide(slide) = mechanism.input.pair else { return None };
+    let slide = &mechanism.slides[slide];
+    let along = bodies[slide.on].turned(plane::direction(slide.angle));
+    Some(if slide.link == mechanism.input.link { along } else { plane::opposite(along) })
+}
+
 /// The balancing load does no work at a position (in a lane), so that it can't balance anything there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct IdleBalance {
@@ -37,8 +46,7 @@ impl UnitBalance {
     pub fn of(mechanism: &Mechanism) -> Option<Self> {
         match mechanism.balance? {
             Balance::Moment(link) => {
-                let pinned = matches!(mechanism.input.pair, InputPair::Pin(_));
-                let drives = pinned && link == mechanism.input.link;
+                let drives = mechanism.input.is_angle() && mechanism.input.placed() == Some(link);
                 (!drives).then_some(Self { link, load: UnitLoad::Moment })
             }
             Balance::Force { at, angle } => {

@@ -56,9 +56,10 @@ impl Loads {
     pub fn varied(linkage: &Linkage, earlier: Option<(&Mechanism, &Self)>) -> Result<Self, LoadError> {
         let (mechanism, scale) = (&linkage.mechanism, linkage.structure.scale);
         let input = &mechanism.input;
-        let (pin, standing) = match input.pair {
-            InputPair::Pin(point) => (mechanism.place_in(point, input.link), 1e-14 * scale),
-            InputPair::Slide(_) => (None, 1e-14),
+        let standing = if input.is_angle() { 1e-14 * scale } else { 1e-14 };
+        let pin = match input.pair {
+            InputPair::Pin(point) => mechanism.place_in(point, input.link),
+            InputPair::Slide(_) => None,
         };
         let mut loads = Self {
             masses: Mass::all(mechanism),
@@ -69,7 +70,7 @@ impl Loads {
             period: input.period(),
             standing,
             inertia_constant: mechanism.has_constant_reduced_inertia(),
-            input: (input.link, pin),
+            input: input.placed().map(|link| (link, pin)),
         };
         let compiler = Compiler { linkage, mechanism, earlier };
         for (id, load) in mechanism.loads.iter().enumerate() {

@@ -83,8 +83,11 @@ where
             let found = (self.solve)(group.as_ref(), self.bodies, loads, pairs);
             found.map_err(|reason| Unsolved::Group(index, reason))?;
         }
-        let input = self.linkage.mechanism.input.link;
-        let (reaction, drive) = input_link(&self.linkage.structure.pairs[0].pair, input, self.bodies, loads);
+        let pair = &self.linkage.structure.pairs[0].pair;
+        let Some(input) = self.linkage.mechanism.input.placed() else {
+            return Ok(drive_of_pair(pair, self.bodies, &mut pairs[0]));
+        };
+        let (reaction, drive) = input_link(pair, input, self.bodies, loads);
         pairs[0] = reaction;
         Ok(drive)
     }
@@ -103,6 +106,22 @@ where
         }
         out.balancing = size;
         Ok(())
+    }
+}
+
+/// The load of the drive of a pair between two moving links, which is taken out of what the pair exerts on its body `a`: the moment of a
+/// pin (N m), of a slide the force along its guide (N).
+#[inline(always)]
+pub(crate) fn drive_of_pair<T: Real>(pair: &Pair, bodies: &[Body<T>], reaction: &mut Wrench<T>) -> T {
+    match pair.geometry {
+        PairGeometry::Pin { .. } => std::mem::replace(&mut reaction.m, T::ZERO),
+        PairGeometry::Slide { angle, .. } => {
+            let along = bodies[pair.b].turned(plane::direction(angle));
+            let drive = plane::dot(reaction.force(), along);
+            reaction.fx -= drive * along[0];
+            reaction.fy -= drive * along[1];
+            drive
+        }
     }
 }
 

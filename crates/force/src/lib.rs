@@ -42,7 +42,7 @@ assur_words::resources!();
 pub use analyzer::{AnalyzerPlugin, ForceAnalyzer, FrictionAnalysis, analyzers, applicable, choose, find};
 pub use assur_integrator::{Dependence, Piece, Reduced};
 pub use assur_plugin::RegistryError;
-pub use balance::{IdleBalance, Reactions, UnitBalance};
+pub use balance::{IdleBalance, Reactions, UnitBalance, drive_direction};
 pub use breaks::tolerance;
 pub use choice::Phase;
 pub use construction::{Acting, Construction, ConstructionStep, Drawing, VectorKind};

@@ -26,7 +26,7 @@ pub struct Loads {
     /// J is the same at every coordinate, by structure.
     pub(crate) inertia_constant: bool,
     /// The input link and, where it is pinned, the place of its pin.
-    pub(crate) input: (LinkId, Option<[f64; 2]>),
+    pub(crate) input: Option<(LinkId, Option<[f64; 2]>)>,
 }
 
 /// A link with mass or moment of inertia.
@@ -236,7 +236,9 @@ impl Loads {
             by_law
                 || match &load.action {
                     Action::Force(force) => !self.steady_force(force),
-                    Action::Moment(link) | Action::Brake(Shoe { link, .. }) => *link != self.input.0,
+                    Action::Moment(link) | Action::Brake(Shoe { link, .. }) => {
+                        Some(*link) != self.input.map(|input| input.0)
+                    }
                     Action::Spring(spring) => spring.stiffness != 0.0 || spring.damping != 0.0,
                     Action::Contact(_) => true,
                 }
@@ -248,14 +250,16 @@ impl Loads {
     fn steady_point(&self, link: LinkId, at: [f64; 2]) -> bool {
         match self.input {
             _ if link == GROUND => true,
-            (input, Some(pin)) => link == input && at.map(f64::to_bits) == pin.map(f64::to_bits),
-            (input, None) => link == input,
+            None => false,
+            Some((input, Some(pin))) => link == input && at.map(f64::to_bits) == pin.map(f64::to_bits),
+            Some((input, None)) => link == input,
         }
     }
 
     fn steady_force(&self, force: &PointForce) -> bool {
         // On a pinned input link the arm of a force that turns with it is constant.
         let turns = matches!(force.along, Along::Link(_) | Along::AgainstMotion);
-        self.steady_point(force.at.link, force.at.at) || force.at.link == self.input.0 && turns
+        self.steady_point(force.at.link, force.at.at)
+            || Some(force.at.link) == self.input.map(|input| input.0) && turns
     }
 }

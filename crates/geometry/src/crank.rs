@@ -44,7 +44,9 @@ impl CrankCondition {
 
 /// The crank conditions of all four-bars that begin at an input link that turns.
 pub fn crank_conditions(mechanism: &Mechanism) -> Vec<CrankCondition> {
-    let (InputPair::Pin(o), crank) = (mechanism.input.pair, mechanism.input.link) else { return Vec::new() };
+    let (InputPair::Pin(o), Some(crank)) = (mechanism.input.pair, mechanism.input.placed()) else {
+        return Vec::new();
+    };
     let on =
         |link: LinkId| (0..mechanism.points.len()).filter(move |&p| mechanism.place_in(p, link).is_some());
     let others = |point: PointId| mechanism.points[point].places.iter().map(|place| place.link);

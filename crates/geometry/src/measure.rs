@@ -271,7 +271,7 @@ fn positions(
     for index in 0..mechanism.input.positions {
         linkage.solve_index(index, Order::Second, &mut position)?;
         let bodies = &position.bodies;
-        let links = (1..bodies.len()).filter(|&link| link != against).map(|link| {
+        let links = (1..linkage.structure.links).filter(|&link| link != against).map(|link| {
             let centers = if is_rigid(link) {
                 Centers::RIGID
             } else {

@@ -104,7 +104,7 @@ fn rests(linkage: &Linkage, position: &Position, factors: &[f64], [one, other]: 
     let scale = linkage.structure.scale;
     let bodies = &position.bodies;
     let size = |body: &Body<f64>| modulus([body.x1, body.y1]) + scale * body.w1.abs();
-    let motion = bodies.iter().map(size).fold(0.0, f64::max);
+    let motion = bodies.iter().take(linkage.structure.links).map(size).fold(0.0, f64::max);
     let [a, b] = [&bodies[one], &bodies[other]];
     let arm = minus([a.x, a.y], [b.x, b.y]);
     let slip = modulus(minus([a.x1, a.y1], b.first(arm)));

@@ -12,6 +12,9 @@ use crate::{
     place_by_newton,
 };
 
+/// A coordinate (rad, or parts of the scale) at which no two points of a drawing coincide by its round numbers.
+const SOME_ANGLE: f64 = 0.739_085_133_215_160_6;
+
 /// Determinant above which places can be made more accurate by Newton's method in any number type.
 const WELL_PLACED: f64 = 1e-3;
 
@@ -41,9 +44,7 @@ fn moved(pair: &Pair, from: usize, into: usize, pose: &Body<f64>) -> Pair {
     let (on_a, on_b) = (a == from, b == from);
     let at = |is_moved: bool, at: [f64; 2]| if is_moved { pose.point(at) } else { at };
     let geometry = match geometry {
-        PairGeometry::Pin { at_a, at_b } => {
-            PairGeometry::Pin { at_a: at(on_a, at_a), at_b: at(on_b, at_b) }
-        }
+        PairGeometry::Pin { at_a, at_b } => PairGeometry::Pin { at_a: at(on_a, at_a), at_b: at(on_b, at_b) },
         PairGeometry::Slide { point, through, angle, tilt } => PairGeometry::Slide {
             point: at(on_a, point),
             through: at(on_b, through),
@@ -75,7 +76,9 @@ impl GroupFrame {
     #[must_use]
     pub fn merged_pattern(&self) -> Self {
         let most = self.driven.iter().map(|driven| driven.coordinate).max();
-        self.merged(&vec![Body::ground(); most.map_or(0, |most| most + 1)])
+        let [c, s] = direction(SOME_ANGLE);
+        let body = Body { c, s, x: SOME_ANGLE * self.scale, ..Body::ground() };
+        self.merged(&vec![body; most.map_or(0, |most| most + 1)])
     }
 }
 
@@ -181,8 +184,7 @@ pub(crate) fn violation<T: Real>(driven: &Driven, bodies: &[Body<T>]) -> T {
 /// The angle from a direction to the x axis of a body: its sine where that is small; turned round by more than a right angle it is not
 /// satisfied.
 pub(crate) fn angle_between<T: Real>(body: &Body<T>, wanted: [T; 2]) -> T {
-    let (sine, cosine) =
-        (wanted[0] * body.s - wanted[1] * body.c, wanted[0] * body.c + wanted[1] * body.s);
+    let (sine, cosine) = (wanted[0] * body.s - wanted[1] * body.c, wanted[0] * body.c + wanted[1] * body.s);
     let whole = T::from_f64(if sine.to_f64() < 0.0 { -2.0 } else { 2.0 });
     if cosine.at_least(0.0) { sine } else { whole - sine }
 }

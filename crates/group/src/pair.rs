@@ -108,6 +108,13 @@ impl GroupFrame {
         self.inner.iter().chain(&self.outer).chain(self.driven.iter().map(|driven| &driven.pair))
     }
 
+    /// The bodies outside of the group from whose poses its own follow, the ground excepted; one may stand several times.
+    pub fn carriers(&self) -> impl Iterator<Item = usize> {
+        let ends = self.outer.iter().flat_map(|pair| [pair.a, pair.b]);
+        let bodies = ends.chain(self.driven.iter().map(|driven| driven.coordinate));
+        bodies.filter(|body| *body != 0 && self.column(*body).is_none())
+    }
+
     /// Number of scalar equations: two of each pair, and one more of a driven one.
     pub fn equations(&self) -> usize {
         2 * self.pairs().count() + self.driven.len()

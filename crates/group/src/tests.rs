@@ -23,7 +23,8 @@ fn triangle() -> (GroupFrame, [Body<f64>; 3]) {
         links: vec![1, 2],
         inner: vec![pin(1, 1, 2, [3.0, 0.0], [4.0, 0.0])],
         outer: vec![pin(0, 1, 0, [0.0, 0.0], [0.0, 0.0]), pin(2, 2, 0, [0.0, 0.0], [5.0, 0.0])],
-        driven: vec![], scale: 2.0,
+        driven: vec![],
+        scale: 2.0,
     };
     let mut bodies = [Body::ground(); 3];
     (bodies[1].c, bodies[1].s) = (0.6, 0.8);
@@ -96,7 +97,8 @@ fn groups_that_do_not_fit_are_errors_not_panics() {
             links: (1..=links).collect(),
             inner: (0..pairs).map(|id| pin(id, 1, 0, [0.0, 0.0], [0.0, 0.0])).collect(),
             outer: vec![],
-            driven: vec![], scale: 1.0,
+            driven: vec![],
+            scale: 1.0,
         };
         let mut bodies = vec![Body::<f64>::ground(); links + 1];
         let error = derive_generally(&frame, &mut bodies, Order::First).unwrap_err();
@@ -150,7 +152,8 @@ fn a_group_is_read_in_the_order_of_its_pattern() {
             links: vec![one, two],
             inner: vec![pin(1, 4, 3, [3.0, 0.0], [4.0, 0.0])],
             outer,
-            driven: vec![], scale: 1.0,
+            driven: vec![],
+            scale: 1.0,
         }
     };
     let pattern = Pattern { links: 2, inner: &[([0, 1], Pin)], outer: &[(0, Pin), (1, Slide)] };
@@ -173,8 +176,13 @@ fn a_group_is_read_in_the_order_of_its_pattern() {
 #[test]
 fn a_chain_of_two_links_on_one_outer_pair_is_no_dyad() {
     let outer = vec![pin(0, 1, 0, [0.0; 2], [0.0; 2]), pin(2, 1, 0, [1.0, 0.0], [1.0, 0.0])];
-    let frame =
-        GroupFrame { links: vec![1, 2], inner: vec![pin(1, 1, 2, [0.0; 2], [0.0; 2])], outer, driven: vec![], scale: 1.0 };
+    let frame = GroupFrame {
+        links: vec![1, 2],
+        inner: vec![pin(1, 1, 2, [0.0; 2], [0.0; 2])],
+        outer,
+        driven: vec![],
+        scale: 1.0,
+    };
     let pattern = Pattern { links: 2, inner: &[([0, 1], Any)], outer: &[(0, Any), (1, Any)] };
     assert_eq!(pattern.find(&frame), None);
 }
@@ -191,7 +199,8 @@ fn a_pair_of_any_sort_takes_what_the_others_leave() {
             slide(4, 9, 2),
             pin(5, 0, 3, [0.0; 2], [0.0; 2]),
         ],
-        driven: vec![], scale: 1.0,
+        driven: vec![],
+        scale: 1.0,
     };
     let inner = &[([0, 1], Any), ([1, 2], Any)];
     let outer = &[(0, Pin), (1, Any), (1, Pin), (2, Any)];

@@ -1,4 +1,4 @@
-//! The compiled chain: input link and groups as flat data.
+//! The compiled chain: input and groups as flat data.
 
 use assur_group::plane::{plus, scaled, vector};
 use assur_group::{Anchor, AssurGroup, Body, GroupError, Number, Order};
@@ -8,7 +8,7 @@ use assur_structure::Structure;
 
 use crate::{CompileError, passive::hang::Hanging};
 
-/// The input link in one number type.
+/// The input in one number type.
 #[derive(Debug, Clone, Copy)]
 pub enum ChainInput<T> {
     /// Pinned to the ground; the coordinate is its angle.
@@ -31,13 +31,22 @@ pub enum ChainInput<T> {
         /// Origin of the link at the coordinate 0, m.
         origin: [T; 2],
     },
+    /// A pair between two moving links, which belong to a group: the coordinate has a body of its own (see [`assur_group::Driven`]).
+    Relative {
+        /// Index of this body.
+        body: usize,
+        /// Whether the coordinate is an angle; otherwise a length.
+        is_angle: bool,
+    },
 }
 
 impl<T> ChainInput<T> {
-    /// Index of the input link.
-    pub(crate) fn link(&self) -> usize {
+    /// Index of the body whose pose follows from the coordinate alone.
+    pub(crate) fn body(&self) -> usize {
         match self {
-            Self::Crank { link, .. } | Self::Slider { link, .. } => *link,
+            Self::Crank { link: body, .. }
+            | Self::Slider { link: body, .. }
+            | Self::Relative { body, .. } => *body,
         }
     }
 }
@@ -78,15 +87,18 @@ impl<T: Number> Chain<T> {
         }
         let needed = vec![true; groups.len()];
         let hanging = structure.passive.iter().filter_map(|passive| Hanging::of(&passive.frame)).collect();
-        Ok(Self { input: input_of(mechanism), groups, needed, bodies: structure.links, hanging })
+        let input = input_of(mechanism);
+        let bodies = structure.links.max(input.body() + 1);
+        Ok(Self { input, groups, needed, bodies, hanging })
     }
 
-    /// Bodies at rest at the origin, as storage for a solution.
+    /// Bodies at rest at the origin, as storage for a solution: one for each link, and where two moving links are driven one for the
+    /// coordinate after them.
     pub fn bodies(&self) -> Vec<Body<T>> {
         vec![Body::ground(); self.bodies]
     }
 
-    /// Places the input link; its derivatives are exact.
+    /// Places the input; its derivatives are exact.
     #[inline]
     pub fn set_input(&self, coordinate: T, bodies: &mut [Body<T>]) {
         T::evaluate(
@@ -105,6 +117,13 @@ impl<T: Number> Chain<T> {
                     [body.c, body.s] = axis;
                     [body.x, body.y] = plus(origin, scaled(coordinate, along));
                     [body.x1, body.y1] = along;
+                }
+                ChainInput::Relative { body, is_angle: true } => {
+                    let ((s, c), body) = (coordinate.sin_cos(), &mut bodies[body]);
+                    (body.c, body.s, body.w1) = (c, s, T::ONE);
+                }
+                ChainInput::Relative { body, is_angle: false } => {
+                    (bodies[body].x, bodies[body].x1) = (coordinate, T::ONE);
                 }
             },
         );
@@ -165,6 +184,9 @@ impl<T: Number> Chain<T> {
 
 fn input_of<T: Real>(mechanism: &Mechanism) -> ChainInput<T> {
     let link = mechanism.input.link;
+    if mechanism.input.is_relative() {
+        return ChainInput::Relative { body: mechanism.links.len(), is_angle: mechanism.input.is_angle() };
+    }
     match mechanism.input.pair {
         InputPair::Pin(point) => {
             let at = |body| vector(mechanism.place_in(point, body).unwrap_or_default());

@@ -34,8 +34,8 @@ pub(crate) fn first_ways(
 ) -> Result<First, (Vec<u8>, ChainError)> {
     let wanted = wanted(mechanism, structure);
     let mut bodies = chain.bodies();
-    let mut placed = vec![false; mechanism.links.len()];
-    (placed[GROUND], placed[chain.input.link()]) = (true, true);
+    let mut placed = vec![false; chain.bodies().len()];
+    (placed[GROUND], placed[chain.input.body()]) = (true, true);
     chain.set_input(from, &mut bodies);
     let mut exact = Exact { chain, extended, from, bodies: Vec::new(), groups: 0 };
     let mut least_health = f64::INFINITY;

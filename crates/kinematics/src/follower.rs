@@ -64,7 +64,7 @@ impl Follower<'_> {
 
     /// Places the input link at all samples.
     fn place_input(&self, branch: &mut Branch, scratch: &mut Scratch) {
-        let input = self.chain.input.link();
+        let input = self.chain.input.body();
         let whole = branch.samples - branch.samples % Lanes::WIDTH;
         branch.poses[input].reserve(branch.samples);
         for first in (0..whole).step_by(Lanes::WIDTH) {
@@ -80,10 +80,10 @@ impl Follower<'_> {
 
     /// For each group the links whose poses no later group needs. Those that are iterated are kept.
     fn released(&self) -> Vec<Vec<usize>> {
-        let mut users = vec![None; self.structure.links];
+        let mut users = vec![None; self.chain.bodies().len()];
         for (group, found) in self.structure.groups.iter().enumerate() {
-            let outer = found.frame.outer.iter().flat_map(|pair| [pair.a, pair.b]);
-            outer.chain(found.frame.links.iter().copied()).for_each(|link| users[link] = Some(group));
+            let frame = &found.frame;
+            frame.carriers().chain(frame.links.iter().copied()).for_each(|link| users[link] = Some(group));
         }
         self.iterated.iter().for_each(|&link| users[link] = None);
         let mut released = vec![Vec::new(); self.structure.groups.len()];

@@ -111,7 +111,7 @@ impl Linkage {
         // Ground and input link are exact and come first; the others follow in the order of the scene.
         let rank = |place: &&Place| match place.link {
             0 => 0,
-            link if link == self.mechanism.input.link => 1,
+            link if Some(link) == self.mechanism.input.placed() => 1,
             _ => 2,
         };
         places

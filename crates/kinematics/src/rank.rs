@@ -21,8 +21,10 @@ pub fn mobility_in(linkage: &Linkage, position: &Position) -> usize {
     let structure = &linkage.structure;
     let mut bodies: Vec<Velocities> = vec![Vec::new(); structure.links];
     let mut motions = Motions { linkage, position, bodies: &mut bodies, count: 0 };
-    let input = linkage.mechanism.input.link;
-    motions.extend(&[input], &[structure.pairs[0].pair]);
+    // A driven pair between two moving links is among those of its group, which moves then.
+    if let Some(input) = linkage.mechanism.input.placed() {
+        motions.extend(&[input], &[structure.pairs[0].pair]);
+    }
     for group in &structure.groups {
         let pairs: Vec<_> = group.frame.pairs().copied().collect();
         motions.extend(&group.frame.links, &pairs);

@@ -1,7 +1,6 @@
 //! The samples of one group along a branch.
 
 use assur_group::{AssurGroup, Body, GroupError};
-use assur_mechanism::GROUND;
 use assur_number::{Lanes, Real as _};
 
 use crate::branch::Branch;
@@ -30,7 +29,7 @@ pub(crate) struct Samples<'a> {
     kernel: &'a dyn AssurGroup<f64>,
     /// The kernel for eight samples, where its solution needs no starting pose.
     lanes: Option<&'a dyn AssurGroup<Lanes>>,
-    /// Bodies of other groups that its outer pairs join.
+    /// The bodies that carry it.
     outer: Vec<usize>,
     scratch: &'a mut Scratch,
     /// A typical length of the mechanism, m.
@@ -57,8 +56,7 @@ impl<'a> Samples<'a> {
         branch: &Branch,
     ) -> Self {
         let frame = kernel.frame();
-        let ends = frame.outer.iter().flat_map(|pair| [pair.a, pair.b]);
-        let outer = ends.filter(|end| *end != GROUND && !frame.links.contains(end)).collect();
+        let outer = frame.carriers().collect();
         let storage = || Vec::with_capacity(branch.samples);
         let (health, moved) = (storage(), storage());
         let scale = frame.scale;

@@ -62,7 +62,8 @@ pub(crate) fn refuse_without_start(
         let is_free = !group.plugin.iterates || chain.groups[index].lists_modes() || !chain.needed[index];
         let is_known = |link: usize| {
             let mut before = structure.groups[..index].iter();
-            [GROUND, mechanism.input.link].contains(&link)
+            link == GROUND
+                || Some(link) == mechanism.input.placed()
                 || before.any(|one| one.frame.column(link).is_some())
         };
         // A point that joins the group to what is known says nothing new.

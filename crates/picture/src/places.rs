@@ -151,7 +151,7 @@ fn alike(drive: &Motor) -> Option<&'static Motor> {
 
 /// The input link at the end of its shaft, as long as from its pin to its farthest point.
 fn crank(mechanism: &Mechanism, row: &mut Shaft) {
-    let link = mechanism.input.link;
+    let Some(link) = mechanism.input.placed() else { return };
     let places = || (0..mechanism.points.len()).filter_map(|id| mechanism.place_in(id, link));
     let InputPair::Pin(pin) = mechanism.input.pair else { return };
     let pin = mechanism.place_in(pin, link).unwrap_or_default();

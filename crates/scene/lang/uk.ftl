@@ -187,6 +187,16 @@ scene-input-joined-often = вхідна ланка `{ $link }` з'єднана �
    *[other] { $count } разів
  }: { $pairs }
 scene-one-pair-of-input = там має бути рівно один шарнір або одна поступальна пара
+scene-why-an-input = одне з `link`, `slide` і `pin` каже, що рухає
+scene-of-a-pin = це належить до ведучого шарніра `pin`
+scene-ends-of-pin = `{ $pin }` не з'єднує `{ $of }` і `{ $on }`
+scene-pin-joins = він з'єднує: { $links }
+scene-ground-is-on = стояк — це те, відносно чого рухають ланку
+scene-swap-of-and-on = поміняйте місцями `of` і `on`
+scene-which-on = `{ $pin }` з'єднує більше двох ланок
+scene-no-motor-between = `{ $key }` потребує ланки, яку рухають відносно стояка
+scene-torque-between = задайте `torque`: навантаження приводу між обома ланками
+scene-relative-friction = сухе тертя в парах не розраховується там, де привід діє між двома рухомими ланками
 scene-cycle-or-range = або цілий цикл, або проміжок
 scene-no-range = `to` дорівнює `from`, а `positions` = { $positions }
 scene-one-position-or-another-end = positions = 1 або інший кінець
@@ -361,6 +371,10 @@ scene-key-slide-point = Точка повзуна, що лишається на 
 scene-key-slide-tilt = Кут осі x повзуна від напряму напрямної.
 scene-key-slide-name = Її назва в результатах; без неї link/on.
 scene-key-input-link = Вхідна ланка: з'єднана шарніром зі стояком або ковзає по ньому.
+scene-key-input-slide = Замість `link`: повзун, що рухає; між двома рухомими ланками — циліндр; координата — його переміщення.
+scene-key-input-pin = Замість `link`: шарнір, що рухає, — двигун у з'єднанні двох ланок; координата — кут осі x ланки `of` мінус кут осі x ланки `on`.
+scene-key-input-of = Ланка, яку повертає ведучий шарнір.
+scene-key-input-on = Ланка, відносно якої ведучий шарнір повертає `of`; потрібна, де шарнір з'єднує більше двох ланок.
 scene-key-input-from = Координата першого положення: кут осі x ланки або переміщення її повзуна.
 scene-key-input-positions = Скільки положень обчислюється: рівномірно за цикл, без повторення його кінця.
 scene-key-input-cycle = Хід вхідної ланки, після якого все повторюється; без нього один оберт.

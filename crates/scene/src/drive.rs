@@ -3,7 +3,8 @@
 use std::ops::Bound as End;
 
 use assur_mechanism::{
-    CharacteristicKind, Drive, FlywheelPlace, Mechanism, Motion, MotorChoice, RatedMotor, Solve, Torque,
+    CharacteristicKind, Drive, FlywheelPlace, Input, Mechanism, Motion, MotorChoice, RatedMotor, Solve,
+    Torque,
 };
 
 use assur_words::{Text, name, text};
@@ -89,7 +90,10 @@ fn check_motor_keys(section: &Section<'_>, context: &Context<'_>) {
     if let (None, Some(entry)) = (section.get("flywheel"), section.get("flywheel_on")) {
         section.faults.add(entry.key, text!("scene-no-flywheel"), text!("scene-add-flywheel"));
     }
-    if context.coordinate() == Some(Dimension::Length) {
+    if context.input.is_some_and(Input::is_relative) {
+        let keys = ["motor", "ratio", "flywheel"];
+        section.refuse(&keys, "scene-no-motor-between", &text!("scene-torque-between"));
+    } else if context.coordinate() == Some(Dimension::Length) {
         section.refuse(&["motor", "flywheel"], "scene-input-slides", &Text::default());
     }
 }

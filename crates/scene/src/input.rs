@@ -23,11 +23,8 @@ pub(crate) fn read(root: &Section<'_>, linkage: &SceneLinks) -> Option<Input> {
         return None;
     };
     let section = entry.section(reference::table("[input]"))?;
-    let link = section
-        .need("link")
-        .and_then(|entry| Some((linkage.moving(&entry, text!("scene-link-joined-to-ground"))?, entry)));
-    let pair = link.as_ref().and_then(|(link, entry)| pair(linkage, *link, entry));
-    let dimension = pair.map(coordinate_of);
+    let driven = driven(&section, linkage);
+    let dimension = driven.map(|(_, _, pair)| coordinate_of(pair));
     let from = section.by_input("from", dimension).unwrap_or_default();
     // The two ends of a range must differ, and a moment of inertia by a formula must stay positive on the way.
     let varies = linkage.links.iter().any(|link| link.inertia.varying().is_some());
@@ -40,7 +37,78 @@ pub(crate) fn read(root: &Section<'_>, linkage: &SceneLinks) -> Option<Input> {
     let range = range(&section, dimension, from, positions);
     let direction = sense.unwrap_or(Sense::Ccw);
     let name = section.get("name").map(|_| section.name(Text::default, |_| None));
-    Some(Input { link: link?.0, pair: pair?, name, from, positions, range, direction })
+    let (link, on, pair) = driven?;
+    Some(Input { link, on, pair, name, from, positions, range, direction })
+}
+
+/// What is driven: a link, against the ground or another one, in which pair.
+type DrivenLink = (LinkId, LinkId, InputPair);
+
+/// What is driven: exactly one of `link`, `slide` and `pin` says it.
+fn driven(section: &Section<'_>, linkage: &SceneLinks) -> Option<DrivenLink> {
+    let given: Vec<Entry<'_>> = ["link", "slide", "pin"].iter().filter_map(|key| section.get(key)).collect();
+    let [entry, more @ ..] = &given[..] else {
+        section.missing("link", text!("scene-why-an-input"));
+        return None;
+    };
+    if let Some(other) = more.first() {
+        let keys = [entry, other].map(|entry| name(entry.name.clone()));
+        other.fault(exclude(keys), text!("scene-why-an-input"));
+        return None;
+    }
+    for key in ["of", "on"].iter().filter(|_| entry.name != "pin") {
+        if let Some(found) = section.get(key) {
+            found.fault(text!("scene-of-a-pin"), text!("scene-leave-it-out"));
+        }
+    }
+    match entry.name.as_str() {
+        "link" => {
+            let link = linkage.moving(entry, text!("scene-link-joined-to-ground"))?;
+            Some((link, GROUND, pair(linkage, link, entry)?))
+        }
+        "slide" => {
+            let id = linkage.slide(entry)?;
+            let slide = &linkage.slides[id];
+            let (link, on) = if slide.link == GROUND { (slide.on, GROUND) } else { (slide.link, slide.on) };
+            Some((link, on, InputPair::Slide(id)))
+        }
+        _ => driven_pin(section, linkage, entry),
+    }
+}
+
+/// A driven pin: it turns `of` against `on`.
+fn driven_pin(section: &Section<'_>, linkage: &SceneLinks, entry: &Entry<'_>) -> Option<DrivenLink> {
+    let point = linkage.point(entry)?;
+    let joined: Vec<LinkId> = linkage.points[point].places.iter().map(|place| place.link).collect();
+    let of = section.need("of")?;
+    let link = linkage.link(&of)?;
+    if link == GROUND {
+        of.fault(text!("scene-ground-is-on"), text!("scene-swap-of-and-on"));
+        return None;
+    }
+    let on = match (section.get("on"), &joined[..]) {
+        (Some(entry), _) => linkage.link(&entry)?,
+        (None, [one, other]) => {
+            if *one == link {
+                *other
+            } else {
+                *one
+            }
+        }
+        (None, _) => {
+            section.missing("on", text!("scene-which-on", pin = shown(&linkage.points[point].name)));
+            return None;
+        }
+    };
+    if link == on || ![link, on].iter().all(|link| joined.contains(link)) {
+        let named = |link: LinkId| shown(&linkage.links[link].name);
+        let pin = shown(&linkage.points[point].name);
+        let links = row(joined.iter().map(|link| linkage.links[*link].name.as_str()));
+        let message = text!("scene-ends-of-pin", pin, of = named(link), on = named(on));
+        entry.fault(message, text!("scene-pin-joins", links));
+        return None;
+    }
+    Some((link, on, InputPair::Pin(point)))
 }
 
 /// The single pair between the link and the ground.

@@ -225,7 +225,8 @@ fn pattern(mechanism: &Mechanism, frame: &GroupFrame, pairs: &[NamedPair]) -> Te
 
 fn formula(mechanism: &Mechanism, groups: &[Group]) -> Name {
     let named = |link: LinkId| Text::from(&mechanism.links[link].name);
-    let links = |sort: String, links: Vec<Text>| joined("", [name(sort + "("), joined(",", links), name(")")]);
+    let links =
+        |sort: String, links: Vec<Text>| joined("", [name(sort + "("), joined(",", links), name(")")]);
     let input = links("I".to_owned(), [mechanism.input.on, mechanism.input.link].map(named).to_vec());
     let groups = groups.iter().map(|group| {
         let class = roman(group.class);

@@ -35,11 +35,7 @@ pub(crate) struct Block {
 
 impl Block {
     /// Equations between one or two unknown nodes; `None` for what is known.
-    pub(crate) fn of(
-        equations: usize,
-        ends: [Option<usize>; 2],
-        source: assur_mechanism::PairId,
-    ) -> Self {
+    pub(crate) fn of(equations: usize, ends: [Option<usize>; 2], source: assur_mechanism::PairId) -> Self {
         Self { equations, nodes: ends.into_iter().flatten().collect(), source }
     }
 }

@@ -198,7 +198,8 @@ impl Draft {
         if rng.chance(0.5) {
             links.reverse();
         }
-        let mut frame = GroupFrame { links, inner: vec![], outer: vec![], driven: vec![], scale: rng.range(0.5, 1.5) };
+        let mut frame =
+            GroupFrame { links, inner: vec![], outer: vec![], driven: vec![], scale: rng.range(0.5, 1.5) };
         for (id, join) in joins.iter().enumerate() {
             let [a, b] = if rng.chance(0.5) { join.bodies } else { [join.bodies[1], join.bodies[0]] };
             let (pose_a, pose_b) = (self.paths[a].pose(), self.paths[b].pose());

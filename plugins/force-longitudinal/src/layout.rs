@@ -4,7 +4,7 @@ use assur_force::Reactions;
 use assur_group::plane::{cross, dot, length, minus, perp, plus, scaled};
 use assur_group::{Body, Pair, PinJoint, SlideJoint, Wrench};
 use assur_kinematics::Linkage;
-use assur_mechanism::{Balance, GROUND, InputPair, LinkId};
+use assur_mechanism::{Balance, GROUND, LinkId};
 use assur_words::{Text, name, text};
 
 /// The roles of links and pairs.
@@ -39,7 +39,7 @@ impl Layout {
         let (mechanism, structure) = (&linkage.mechanism, &linkage.structure);
         let crank = mechanism.input.link;
         let link = |id: LinkId| &mechanism.links[id].name;
-        if matches!(mechanism.input.pair, InputPair::Slide(_)) {
+        if mechanism.input.is_relative() || !mechanism.input.is_angle() {
             return Err(text!("force-longitudinal-no-crank", link = link(crank)));
         }
         if mechanism.balance.is_some_and(|balance| balance != Balance::Moment(crank)) {

@@ -87,8 +87,9 @@ impl<'a> System<'a> {
         shifts: &[f64],
     ) -> Result<Solution, f64> {
         let (rows, columns) = self.size();
+        let links = &loads[1..self.mechanism.links.len()];
         let rights: Vec<f64> =
-            loads.iter().skip(1).flat_map(|load| [-load.fx, -load.fy, -load.m / self.scale]).collect();
+            links.iter().flat_map(|load| [-load.fx, -load.fy, -load.m / self.scale]).collect();
         if rows < columns {
             let found = of_least_norm(&self.equations(bodies, shifts), &rights, columns);
             if found.health.is_nan() || found.health < LEAST_HEALTH {
@@ -203,17 +204,20 @@ impl<'a> System<'a> {
             (Some(Balance::Moment(link)), _) => {
                 self.add(rows, column, link, ([0.0; 2], [0.0; 2], self.scale));
             }
-            (None, InputPair::Pin(_)) => self.add(rows, column, input.link, ([0.0; 2], [0.0; 2], self.scale)),
+            (None, InputPair::Pin(_)) => {
+                self.add(rows, column, input.link, ([0.0; 2], [0.0; 2], self.scale));
+                self.add(rows, column, input.on, ([0.0; 2], [0.0; 2], -self.scale));
+            }
             (None, InputPair::Slide(id)) => {
                 let normal = self.normal(id, bodies);
                 let slide = &self.mechanism.slides[id];
                 let along = [normal[1], -normal[0]];
-                // The coordinate is the displacement of the sliding link; if that is the ground, the input moves in the opposite direction.
-                let (sign, body) =
-                    if slide.link == input.link { (1.0, input.link) } else { (-1.0, slide.on) };
+                // The coordinate is the displacement of the sliding link, of which the other one takes the opposite force.
                 let (link, own) = (&bodies[slide.link], bodies[slide.link].arm(slide.point));
-                let arm = [link.x + own[0] - bodies[body].x, link.y + own[1] - bodies[body].y];
-                self.add(rows, column, body, (arm, along.map(|a| sign * a), 0.0));
+                for (sign, body) in [(1.0, slide.link), (-1.0, slide.on)] {
+                    let arm = [link.x + own[0] - bodies[body].x, link.y + own[1] - bodies[body].y];
+                    self.add(rows, column, body, (arm, along.map(|a| sign * a), 0.0));
+                }
             }
         }
     }

@@ -17,7 +17,8 @@ fn frame(angle: f64) -> GroupFrame {
         links: vec![2, 3],
         inner: vec![Pair { id: 1, a: 2, b: 3, geometry: pin }],
         outer: vec![guide(0, 2, 0, 0.0), guide(2, 3, 1, angle)],
-        driven: vec![], scale: 1.0,
+        driven: vec![],
+        scale: 1.0,
     }
 }
 

@@ -18,7 +18,8 @@ fn frame(angle: f64) -> GroupFrame {
         links: vec![2, 3],
         inner: vec![slide(1, 3, 2, angle)],
         outer: vec![slide(2, 2, 0, 0.0), Pair { id: 0, a: 1, b: 3, geometry: pin }],
-        driven: vec![], scale: 1.0,
+        driven: vec![],
+        scale: 1.0,
     }
 }
 

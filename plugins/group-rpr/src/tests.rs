@@ -13,7 +13,8 @@ fn frame(offset: f64) -> GroupFrame {
         links: vec![2, 3],
         inner: vec![Pair { id: 1, a: 2, b: 3, geometry: guide }],
         outer: vec![pin(0, 2, 1), pin(2, 3, 0)],
-        driven: vec![], scale: 12.0,
+        driven: vec![],
+        scale: 12.0,
     }
 }
 

@@ -14,7 +14,8 @@ fn frame(rod: f64) -> GroupFrame {
         links: vec![2, 3],
         inner: vec![pin(1, 2, 3, [0.0, 0.0], [rod, 0.0])],
         outer: vec![Pair { id: 2, a: 2, b: 0, geometry: guide }, pin(0, 3, 1, [0.0, 0.0], [0.0, 0.0])],
-        driven: vec![], scale: 1.0,
+        driven: vec![],
+        scale: 1.0,
     }
 }
 

@@ -11,7 +11,8 @@ fn frame(l1: f64, l2: f64) -> GroupFrame {
         links: vec![2, 3],
         inner: vec![pin(1, 2, 3, [l1, 0.0], [l2, 0.0])],
         outer: vec![pin(0, 2, 0, [0.0, 0.0], [0.0, 0.0]), pin(2, 1, 3, [0.0, 0.0], [0.0, 0.0])],
-        driven: vec![], scale: 1.0,
+        driven: vec![],
+        scale: 1.0,
     }
 }
 

@@ -250,7 +250,8 @@ fn candidates(mechanism: &Mechanism) -> Vec<PassivePart> {
         None => None,
     };
     let links = (1..mechanism.links.len()).rev();
-    let links = links.filter(|link| *link != input.link && Some(*link) != balanced).map(PassivePart::Link);
+    let is_kept = |link: &usize| Some(*link) == balanced || *link == input.link || *link == input.on;
+    let links = links.filter(|link| !is_kept(link)).map(PassivePart::Link);
     let slides = mechanism.slides.iter().enumerate().rev();
     let slides = slides
         .filter(|(id, _)| input.pair != InputPair::Slide(*id))

@@ -178,9 +178,9 @@ fn motion(analysis: &Analysis, linkage: &Linkage, place: Unit) -> Vec<Fact> {
 
 /// How far slides and links go in the positions that are calculated: a mechanism that can't be assembled everywhere has no strokes.
 fn travels(analysis: &Analysis, linkage: &Linkage, place: Unit) -> Vec<Fact> {
-    let (table, input) = (&analysis.positions, linkage.mechanism.input.link);
+    let (table, input) = (&analysis.positions, linkage.mechanism.input.placed());
     let is_output = |column: &Column| match column.owner {
-        Owner::Link(link) => link != input,
+        Owner::Link(link) => Some(link) != input,
         Owner::Slide(slide) => linkage.mechanism.slides[slide].on == GROUND,
         _ => false,
     };

@@ -124,10 +124,11 @@ fn of_input_and_drive(mechanism: &Mechanism, speed: &(Key, f64)) -> Vec<Warning>
 /// A pin of the crank that stands at the angle `from` in the crank's own frame too: places in the ground's frame were given.
 fn turned_by_frame_and_from(mechanism: &Mechanism) -> Option<(&str, f64)> {
     let (input, InputPair::Pin(pivot)) = (&mechanism.input, mechanism.input.pair) else { return None };
-    let origin = mechanism.points[pivot].on(input.link)?;
+    let link = input.placed()?;
+    let origin = mechanism.points[pivot].on(link)?;
     let others = mechanism.points.iter().enumerate().filter(|(id, point)| *id != pivot && point.is_pin());
     others.map(|(_, point)| point).find_map(|point| {
-        let at = point.on(input.link)?;
+        let at = point.on(link)?;
         let angle = (at[1] - origin[1]).atan2(at[0] - origin[0]);
         let apart = (input.from - angle).rem_euclid(TAU);
         let is_same = apart.min(TAU - apart) < SAME_DIRECTION && angle.abs() > SAME_DIRECTION;
@@ -195,6 +196,6 @@ fn drives_clockwise(mechanism: &Mechanism, load: &Load) -> bool {
     let Value::Formula { formula, .. } = &moment.value else { return false };
     let by_speed = formula.used() == Used { speed: true, ..Used::default() };
     let at = |speed: f64| formula.value(&Variables { speed, ..Variables::default() });
-    let turns = moment.link == input.link && input.is_angle() && input.sign() < 0.0;
+    let turns = Some(moment.link) == input.placed() && input.is_angle() && input.sign() < 0.0;
     turns && by_speed && at(0.0) == 0.0 && SPEEDS.into_iter().all(|speed| at(speed) * speed > 0.0)
 }

@@ -180,7 +180,9 @@ fn moved(linkage: &Linkage, changed: &Structure) -> Vec<bool> {
     let before = &linkage.structure;
     let geometry = |structure: &Structure| structure.pairs.first().map(|named| named.pair.geometry);
     let mut links = vec![false; before.links];
-    links[linkage.mechanism.input.link] = geometry(before) != geometry(changed);
+    if let Some(input) = linkage.mechanism.input.placed() {
+        links[input] = geometry(before) != geometry(changed);
+    }
     let mut moved = Vec::with_capacity(before.groups.len());
     for (old, new) in before.groups.iter().zip(&changed.groups) {
         let reached = old.frame.outer.iter().any(|pair| links[pair.a] || links[pair.b]);

@@ -56,7 +56,13 @@ impl Isolated {
         let (first, inner, second) =
             (moved(&first.pair, 0, 2, 4), moved(&inner.pair, 1, 2, 3), moved(&second.pair, 2, 3, 1));
         let scale = group.frame.scale;
-        let frame = GroupFrame { links: vec![2, 3], inner: vec![inner], outer: vec![first, second], driven: vec![], scale };
+        let frame = GroupFrame {
+            links: vec![2, 3],
+            inner: vec![inner],
+            outer: vec![first, second],
+            driven: vec![],
+            scale,
+        };
         let dyad = group.plugin.pattern?.find(&frame)?;
         let reach = |at: [f64; 2]| at[0].hypot(at[1]);
         let size = [first, inner, second].iter().fold(scale, |size, pair| match pair.geometry {
