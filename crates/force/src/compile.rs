@@ -70,6 +70,7 @@ impl Loads {
             period: input.period(),
             standing,
             inertia_constant: mechanism.has_constant_reduced_inertia(),
+            links: mechanism.links.len(),
             input: input.placed().map(|link| (link, pin)),
         };
         let compiler = Compiler { linkage, mechanism, earlier };

@@ -25,6 +25,8 @@ pub struct Loads {
     pub(crate) standing: f64,
     /// J is the same at every coordinate, by structure.
     pub(crate) inertia_constant: bool,
+    /// Number of links, the ground included.
+    pub(crate) links: usize,
     /// The input link and, where it is pinned, the place of its pin.
     pub(crate) input: Option<(LinkId, Option<[f64; 2]>)>,
 }

@@ -44,7 +44,7 @@ impl Loads {
             return Vec::new();
         };
         let exchange = |jump: &Jump| {
-            let (mut wrenches, mut sum) = (vec![Wrench::ZERO; bodies.len()], 0.0);
+            let (mut wrenches, mut sum) = (vec![Wrench::ZERO; self.links], 0.0);
             let instead = if base.power == 0.0 { 0.0 } else { -jump.power / base.power };
             for (part, jump) in [(1.0, jump), (instead, &base)] {
                 for (link, wrench) in &jump.wrenches {

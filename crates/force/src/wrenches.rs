@@ -130,7 +130,7 @@ impl Loads {
 
     /// All loads of a state as [`evaluate`](Self::evaluate) writes them.
     pub fn total<T: LoadNumber>(&self, states: &T::States, bodies: &[Body<T>]) -> Vec<Wrench<T>> {
-        let mut wrenches = vec![Wrench::ZERO; bodies.len()];
+        let mut wrenches = vec![Wrench::ZERO; self.links];
         self.evaluate(states, bodies, &mut wrenches);
         wrenches
     }

@@ -130,7 +130,7 @@ impl ForceAnalyzer for Longitudinal {
         position: &Position,
         loads: &[Acting],
     ) -> Result<Option<Construction>, ForceError> {
-        let wrenches = Acting::total(loads, position.bodies.len());
+        let wrenches = Acting::total(loads, linkage.structure.links);
         let (layout, setting, unknowns) = self.solved(linkage, position, &wrenches)?;
         let scene = drawing::Scene::of(&layout, linkage, &position.bodies, (loads, &wrenches));
         Ok(Some(drawing::draw(&scene, &setting, &unknowns)))

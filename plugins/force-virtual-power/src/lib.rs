@@ -73,7 +73,7 @@ impl ForceAnalyzer for VirtualPower {
         position: &Position,
         loads: &[Acting],
     ) -> Result<Option<Construction>, ForceError> {
-        let wrenches = Acting::total(loads, position.bodies.len());
+        let wrenches = Acting::total(loads, linkage.structure.links);
         let balancing = balancing(linkage, position, &wrenches, UnitBalance::of(&linkage.mechanism))?;
         Ok(Some(lever::draw(linkage, position, loads, balancing)))
     }

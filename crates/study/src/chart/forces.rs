@@ -73,7 +73,7 @@ impl<'a> Loaded<'a> {
         for (index, bodies) in self.work.truth.iter().enumerate() {
             let coordinate = self.work.coordinates[index];
             let solve = |generally| {
-                let mut own = vec![Wrench::ZERO; bodies.len()];
+                let mut own = vec![Wrench::ZERO; linkage.structure.links];
                 let mut out = Reactions::new(linkage);
                 solve(linkage, groups, bodies, &self.loads[index], generally, &mut own, &mut out)
                     .map_err(|_| ChartError::NoReference { coordinate })?;
