@@ -162,10 +162,7 @@ fn one(
         (driven.input.from, driven.input.range) = begin(mechanism, (link, pair), position);
     }
     let found = decompose(&driven);
-    let of = match pair {
-        InputPair::Pin(point) => PairId::Pin(point),
-        InputPair::Slide(slide) => PairId::Slide(slide),
-    };
+    let of = driven.input.driven_pair();
     PossibleInput {
         link: mechanism.named_link(link),
         pair: mechanism.named_pair(of),

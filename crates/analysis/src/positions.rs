@@ -61,7 +61,7 @@ impl Calculation {
         Ok(Analysis {
             title: mechanism.title.clone(),
             input: InputReport {
-                link: mechanism.named_link(mechanism.input.link),
+                name: mechanism.coordinate_name().clone(),
                 angular: self.linkage.angular(),
                 balancing_is_moment: mechanism.balances_by_moment(),
             },

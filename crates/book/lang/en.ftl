@@ -57,3 +57,4 @@ fact-value = Value
 fact-unit = Unit
 fact-place = At
 fact-range = { $least } to { $most }
+driven-link-against = { $link } against { $on }

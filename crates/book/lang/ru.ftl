@@ -58,3 +58,4 @@ fact-value = Значение
 fact-unit = Единица
 fact-place = Где
 fact-range = от { $least } до { $most }
+driven-link-against = { $link } относительно { $on }

@@ -58,3 +58,4 @@ fact-value = Значення
 fact-unit = Одиниця
 fact-place = Де
 fact-range = від { $least } до { $most }
+driven-link-against = { $link } відносно { $on }

@@ -224,3 +224,9 @@ fn table_of(caption: Text, facts: &[Fact]) -> Table {
 pub fn link_name(mechanism: &Mechanism, link: LinkId) -> Text {
     mechanism.links.get(link).map_or_else(Text::default, |link| Text::from(&link.name))
 }
+
+/// The name of the input link; where it is driven against another one, with that: `rod against barrel`.
+pub fn driven_link(mechanism: &Mechanism) -> Text {
+    let [link, on] = [mechanism.input.link, mechanism.input.on].map(|link| link_name(mechanism, link));
+    if mechanism.input.is_relative() { text!("driven-link-against", link, on) } else { link }
+}

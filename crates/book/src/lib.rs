@@ -15,7 +15,7 @@ mod table;
 pub use assur_worksheet::Term;
 pub use catalogue::Unit;
 pub use course::{Course, Jump, Node};
-pub use document::{Block, Document, Fact, Value, link_name};
+pub use document::{Block, Document, Fact, Value, driven_link, link_name};
 pub use number::{Digits, ROUNDING, zero_if_rounding};
 pub use peaks::{Range, Read, extreme, peaks, range, range_of};
 pub use table::{Cell, Column, Group, Listing, Printed, Table};

@@ -68,7 +68,8 @@ impl Drawing<'_> {
     /// The mechanism in one position, with the names of its points and the numbers of its links.
     pub fn items(&self, pose: &Position) -> Vec<Item> {
         let bodies = &pose.bodies;
-        let mut links: Vec<LinkId> = (1..self.linkage.structure.links).filter(|link| self.shows(*link)).collect();
+        let mut links: Vec<LinkId> =
+            (1..self.linkage.structure.links).filter(|link| self.shows(*link)).collect();
         // Chosen links lie over the others.
         links.sort_by_key(|link| self.marked.contains(link));
         let mut items = self.guides(bodies);

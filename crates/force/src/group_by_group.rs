@@ -112,7 +112,7 @@ where
 /// The load of the drive of a pair between two moving links, which is taken out of what the pair exerts on its body `a`: the moment of a
 /// pin (N m), of a slide the force along its guide (N).
 #[inline(always)]
-pub(crate) fn drive_of_pair<T: Real>(pair: &Pair, bodies: &[Body<T>], reaction: &mut Wrench<T>) -> T {
+pub fn drive_of_pair<T: Real>(pair: &Pair, bodies: &[Body<T>], reaction: &mut Wrench<T>) -> T {
     match pair.geometry {
         PairGeometry::Pin { .. } => std::mem::replace(&mut reaction.m, T::ZERO),
         PairGeometry::Slide { angle, .. } => {

@@ -3,9 +3,9 @@
 use assur_analysis::results::{Column, Owner, Quantity, Schema};
 use assur_book::catalogue;
 use assur_figure::{Ink, Point, Stroke};
-use assur_force::{LoadState, UnitBalance};
+use assur_force::{LoadState, UnitBalance, drive_direction};
 use assur_kinematics::Position;
-use assur_mechanism::{Balance, GROUND, LinkId, PairId};
+use assur_mechanism::{Balance, GROUND, InputPair, LinkId, PairId};
 use assur_words::{Text, joined, name, text};
 
 use crate::arrows::{Arrow, Kind};
@@ -121,17 +121,33 @@ impl<'a> Acting<'a> {
     /// What acts on the input along its coordinate, or where the scene has its balancing load.
     fn on_input(&mut self, unit: Option<UnitBalance>, size: f64, index: &str, told: &Text) {
         let (mechanism, bodies) = (&self.results.linkage.mechanism, &self.pose.bodies);
-        let input = &bodies[mechanism.input.link];
-        let along = if self.results.linkage.angular() { [0.0, 0.0, 1.0] } else { [input.x1, input.y1, 0.0] };
+        let along = drive_direction(mechanism, bodies).map_or([0.0, 0.0, 1.0], |[x, y]| [x, y, 0.0]);
         let (at, [x, y, moment]) = match (unit.map(|unit| unit.wrench(bodies)), mechanism.balance) {
             (Some(unit), Some(Balance::Force { at, .. })) => {
                 (bodies[at.link].point(at.at), [unit.fx, unit.fy, 0.0])
             }
             (Some(unit), Some(Balance::Moment(link))) => (self.anchor(link), [0.0, 0.0, unit.m]),
-            _ => (self.anchor(mechanism.input.link), along),
+            _ => (self.of_drive(), along),
         };
         let symbols = ["F", "M"].map(|letter| format!("{letter}_{{{index}}}"));
-        self.act(at, [size * x, size * y], size * moment, symbols, told, Ink::Second);
+        // A cylinder pushes both of its links.
+        let is_pair = mechanism.input.is_relative() && !mechanism.input.is_angle() && unit.is_none();
+        for size in [size, -size].into_iter().take(if is_pair { 2 } else { 1 }) {
+            self.act(at, [size * x, size * y], size * moment, symbols.clone(), told, Ink::Second);
+        }
+    }
+
+    /// Where the load of the drive is drawn: at the pair between two moving links, else at the input link.
+    fn of_drive(&self) -> Point {
+        let mechanism = &self.results.linkage.mechanism;
+        match mechanism.input.pair {
+            _ if !mechanism.input.is_relative() => self.anchor(mechanism.input.link),
+            InputPair::Pin(pin) => self.results.linkage.point_motion(pin, self.pose).pf0,
+            InputPair::Slide(slide) => {
+                let slide = &mechanism.slides[slide];
+                self.pose.bodies[slide.link].point(slide.point)
+            }
+        }
     }
 
     /// Where a moment on a link is drawn: at its point on the ground, or at its first one.

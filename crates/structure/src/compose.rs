@@ -232,7 +232,7 @@ fn formula(mechanism: &Mechanism, groups: &[Group]) -> Name {
         let class = roman(group.class);
         let number = group.plugin.number;
         let sort = if number > 0 { format!("{class}{number}") } else { format!("{class}/{}", group.order) };
-        links(sort, group.merged_links().map(|links| joined("+", links.into_iter().map(named))).collect())
+        links(sort, group.named_links(mechanism).collect())
     });
     joined(" -> ", std::iter::once(input).chain(groups)).into()
 }

@@ -2,7 +2,7 @@
 
 use assur_group::{GroupFrame, GroupPlugin, Pair, SeenPair};
 use assur_mechanism::{LinkId, Mechanism, Name, PairId, PointId};
-use assur_words::{Text, list, name, text};
+use assur_words::{Text, joined, list, name, text};
 
 /// A mechanism decomposed into its pairs and groups.
 #[derive(Debug, Clone)]
@@ -127,12 +127,18 @@ impl Structure {
     /// `group 1 (RRR rod, rocker)`, for messages.
     pub fn group_name(&self, mechanism: &Mechanism, group: usize) -> Text {
         let found = &self.groups[group];
-        let links = found.frame.links.iter().map(|&link| Text::from(&mechanism.links[link].name));
+        let links = found.named_links(mechanism);
         text!("structure-group", number = group + 1, kind = name(found.plugin.kind), links = list(links))
     }
 }
 
 impl Group {
+    /// Names of the links: `boom`, `barrel+rod`.
+    pub fn named_links<'a>(&'a self, mechanism: &'a Mechanism) -> impl Iterator<Item = Text> + 'a {
+        let named = |link: LinkId| Text::from(&mechanism.links[link].name);
+        self.merged_links().map(move |links| joined("+", links.into_iter().map(named)))
+    }
+
     /// The links in the order of the scene, those that driven pairs make one link together: first the one against which the others are
     /// driven.
     pub fn merged_links(&self) -> impl Iterator<Item = Vec<LinkId>> {

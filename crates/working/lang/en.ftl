@@ -107,6 +107,10 @@ working-unit-power = p is the power of a balancing load of 1 for dq = 1; its siz
 working-balancing-direction = direction of the balancing force
 working-check-by-power = Check by virtual power
 working-whole-power = W: power of all loads and inertia loads for dq = 1, link by link; no reaction does work
+working-driven = Input: pair { $pair }
+working-driven-angle = q is the angle of { $link } minus that of { $on }
+working-driven-displacement = q is the displacement of { $link } along the guide on { $on }
+working-follows-coordinate = pair { $pair } is driven: its motion is q, with the derivatives 1 and 0
 working-input-forces = Input link { $link }: reaction and balancing load
 working-moments-about = moments about { $point }:
 

@@ -107,6 +107,10 @@ working-unit-power = p — мощность единичной уравнове�
 working-balancing-direction = направление уравновешивающей силы
 working-check-by-power = Проверка по виртуальной мощности
 working-whole-power = W — мощность всех нагрузок и сил инерции при dq = 1, звено за звеном; реакции работы не совершают
+working-driven = Вход: пара { $pair }
+working-driven-angle = q — угол { $link } минус угол { $on }
+working-driven-displacement = q — перемещение { $link } вдоль направляющей на { $on }
+working-follows-coordinate = пара { $pair } ведущая: ее движение — q, производные 1 и 0
 working-input-forces = Входное звено { $link }: реакция и уравновешивающая нагрузка
 working-moments-about = моменты относительно { $point }:
 

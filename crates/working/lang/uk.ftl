@@ -107,6 +107,10 @@ working-unit-power = p — потужність одиничного зрівн�
 working-balancing-direction = напрям зрівноважувальної сили
 working-check-by-power = Перевірка за віртуальною потужністю
 working-whole-power = W — потужність усіх навантажень і сил інерції за dq = 1, ланка за ланкою; реакції роботи не виконують
+working-driven = Вхід: пара { $pair }
+working-driven-angle = q — кут { $link } мінус кут { $on }
+working-driven-displacement = q — переміщення { $link } уздовж напрямної на { $on }
+working-follows-coordinate = пара { $pair } ведуча: її рух — q, похідні 1 і 0
 working-input-forces = Вхідна ланка { $link }: реакція та зрівноважувальне навантаження
 working-moments-about = моменти відносно { $point }:
 

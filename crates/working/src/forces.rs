@@ -1,9 +1,9 @@
 //! Forces: loads, the groups from the last to the first, the input link, and a check by power.
 
-use assur_force::Loads;
+use assur_force::{Loads, UnitBalance};
 use assur_group::PairGeometry;
 use assur_kinematics::Position;
-use assur_mechanism::{Balance, InputPair};
+use assur_mechanism::Balance;
 use assur_words::{name, text};
 use assur_worksheet::{Expr, Symbol, plugin_for};
 
@@ -64,11 +64,8 @@ impl Work<'_> {
     /// together.
     fn balance(&mut self) -> Option<Expr> {
         let mechanism = &self.linkage.mechanism;
-        let pinned = matches!(mechanism.input.pair, InputPair::Pin(_));
+        UnitBalance::of(mechanism)?;
         let balance = mechanism.balance?;
-        if matches!(balance, Balance::Moment(link) if pinned && link == mechanism.input.link) {
-            return None;
-        }
         self.sheet.section(text!("working-balancing-load"));
         let power = self.total_power("W");
         self.sheet.note(text!("working-unit-power"));
@@ -113,6 +110,9 @@ impl Work<'_> {
 
     /// Writes the reaction at the ground, and the balancing moment or force at the input.
     pub(crate) fn input_reactions(&mut self) -> Expr {
+        if let Some(drive) = &self.pair_drive {
+            return drive.clone();
+        }
         let pair = self.linkage.structure.pairs[0].pair;
         let link = self.linkage.mechanism.input.link;
         let name = self.sheet.body_name(link);

@@ -2,6 +2,7 @@
 //!
 //! The solution is given; each equation shows its two sides with the solution put in.
 
+use assur_force::{UnitBalance, drive_of_pair};
 use assur_group::{Pair, PairGeometry, Wrench};
 use assur_words::{Text, text};
 use assur_worksheet::dyad::{across, along};
@@ -28,6 +29,31 @@ impl Work<'_> {
                 }
                 PairGeometry::Slide { .. } => self.slide_sides(pair),
             }
+            if frame.driven.iter().any(|driven| driven.pair.id == pair.id) {
+                self.follows_coordinate(pair);
+            }
+        }
+    }
+
+    /// Writes what a driven pair adds: its angle or displacement, which is the coordinate, with the derivatives 1 and 0.
+    fn follows_coordinate(&mut self, pair: &Pair) {
+        let tag = self.sheet.pair_name(pair.id);
+        self.sheet.note(text!("working-follows-coordinate", pair = &tag));
+        let PairGeometry::Slide { point, through, angle, .. } = pair.geometry else {
+            let [a, b] = [pair.a, pair.b].map(|link| self.sheet.angle(link));
+            for (order, unit) in self.sheet.units.angle.into_iter().enumerate() {
+                self.sheet.work(Symbol::from("θ").prime(order).of(&tag), &(&a[order] - &b[order]), unit);
+            }
+            return;
+        };
+        let [on_a, on_b] = [(pair.a, point), (pair.b, through)].map(|(link, at)| self.sheet.point(link, at));
+        let t = self.sheet.guide(pair.id, pair.b, angle).t;
+        let d = |order: usize| [0, 1].map(|i| &on_a.pf[order][i] - &on_b.pf[order][i]);
+        // s' = t (A' - B'), s'' = t (A'' - B'') + w² s: the point of b turns with its line.
+        let w = self.sheet.angle(pair.b)[1].clone();
+        let way = [along(&t, &d(0)), along(&t, &d(1)), along(&t, &d(2)) + w.squared() * along(&t, &d(0))];
+        for ((order, way), unit) in way.iter().enumerate().zip(self.sheet.units.length) {
+            self.sheet.work(Symbol::from("s").prime(order).of(&tag), way, unit);
         }
     }
 
@@ -123,6 +149,10 @@ impl Work<'_> {
         }
         self.sheet.note(text!("working-linear-reactions"));
         let mut acting: Vec<(usize, WorkedLoad)> = Vec::new();
+        for driven in &frame.driven {
+            let drive = drive_of_pair(&driven.pair, self.bodies, &mut found[driven.pair.id]);
+            self.given_drive(&driven.pair, drive, &mut acting);
+        }
         for pair in frame.pairs() {
             self.given_reaction(pair, &found[pair.id], &frame.links, &mut acting);
         }
@@ -130,6 +160,33 @@ impl Work<'_> {
             self.equilibrium(link, &acting);
         }
         true
+    }
+
+    /// The load of the drive on both links of a driven pair, which is the balancing load where that acts nowhere else.
+    fn given_drive(&mut self, pair: &Pair, size: f64, acting: &mut Vec<(usize, WorkedLoad)>) {
+        if UnitBalance::of(&self.linkage.mechanism).is_some() {
+            // Idle: the balancing load acts elsewhere.
+            self.pair_drive = Some(Expr::zero());
+            return;
+        }
+        let symbol = self.balancing_at_input();
+        let unit = self.sheet.units.moment;
+        let size = self.sheet.given(symbol, size, unit, text!("working-solution"));
+        let zero = || [Expr::zero(), Expr::zero()];
+        let [(link, at), _] = pair.places();
+        let at = self.sheet.point(link, at);
+        let (force, moment) = match pair.geometry {
+            PairGeometry::Pin { .. } => (zero(), size.clone()),
+            PairGeometry::Slide { angle, .. } => {
+                let t = self.sheet.guide(pair.id, pair.b, angle).t;
+                (t.each_ref().map(|t| &size * t), Expr::zero())
+            }
+        };
+        let opposite = ([-&force[0], -&force[1]], -&moment);
+        for (link, (force, moment)) in [(pair.a, (force, moment)), (pair.b, opposite)] {
+            acting.push((link, WorkedLoad { force: Some((force, at.clone())), moment, applied: false }));
+        }
+        self.pair_drive = Some(size);
     }
 
     fn given_reaction(

@@ -1,4 +1,4 @@
-//! The input link, whose position is given by the coordinate.
+//! The input: a link whose position is given by the coordinate, or the coordinate of a pair between two links of a group.
 
 use assur_mechanism::{GROUND, InputPair, Range};
 use assur_words::{Text, text, unit};
@@ -12,6 +12,19 @@ impl Work<'_> {
         let input = &self.linkage.mechanism.input;
         let link = input.link;
         let name = self.sheet.body_name(link);
+        if input.is_relative() {
+            let [pair, on] = [self.sheet.pair_name(0), self.sheet.body_name(input.on)];
+            self.sheet.section(text!("working-driven", pair));
+            let q = self.coordinate(place);
+            if input.is_angle() {
+                let degrees = &q * Expr::number(180.0) / Expr::pi();
+                self.sheet.work(Symbol::from("q").of(unit("deg")), &degrees, "deg");
+                self.sheet.note(text!("working-driven-angle", link = name, on));
+            } else {
+                self.sheet.note(text!("working-driven-displacement", link = name, on));
+            }
+            return;
+        }
         self.sheet.section(text!("working-input", link = &name));
         let q = self.coordinate(place);
         match input.pair {

@@ -26,7 +26,7 @@ use assur_group::{Body, Order};
 use assur_kinematics::{Linkage, PositionError};
 use assur_mechanism::{Key, Mechanism};
 use assur_words::{Describe, Language, Text, text};
-use assur_worksheet::{Reaction, RegistryError, Section, Sheet, Symbol, Units};
+use assur_worksheet::{Expr, Reaction, RegistryError, Section, Sheet, Symbol, Units};
 
 pub use assur_group::inventory;
 pub use method::{AnalyzerWorking, FoundForces, WriteForces};
@@ -133,6 +133,8 @@ pub(crate) struct Work<'a> {
     pub(crate) bodies: &'a [Body<f64>],
     pub(crate) state: LoadState,
     pub(crate) drive: Option<[f64; 2]>,
+    /// The load of the drive of a pair between two links of a group, as it was written with the reactions of the group.
+    pub(crate) pair_drive: Option<Expr>,
     pub(crate) sheet: Sheet,
     pub(crate) general: Vec<usize>,
     /// Whether kinds may write their own equations; otherwise the general linear system is used for all.
@@ -164,8 +166,16 @@ impl Working {
         }
         let units = if linkage.angular() { Units::ANGULAR } else { Units::LINEAR };
         let sheet = Sheet::new(names::of(linkage), units);
-        let mut work =
-            Work { linkage, bodies: &position.bodies, state, drive, sheet, general: Vec::new(), own };
+        let mut work = Work {
+            linkage,
+            bodies: &position.bodies,
+            state,
+            drive,
+            pair_drive: None,
+            sheet,
+            general: Vec::new(),
+            own,
+        };
         work.conventions(place, loads.is_some());
         work.input(place);
         for group in 0..linkage.structure.groups.len() {

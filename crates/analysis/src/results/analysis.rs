@@ -3,7 +3,7 @@
 use assur_check::Check;
 use assur_diagram::{Enveloping, Hodograph, PlanSheet, ReactionExtreme, SignChange};
 use assur_integrator::{Event, SolutionCost, State};
-use assur_mechanism::{Key, LinkId, Name, Named, SlideId, Warning};
+use assur_mechanism::{Key, Name, Named, SlideId, Warning};
 use assur_words::{Text, text};
 use indexmap::IndexMap;
 use serde::{Serialize, Serializer};
@@ -95,8 +95,8 @@ impl Analysis {
 /// The input link and its coordinate.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct InputReport {
-    /// The link.
-    pub link: Named<LinkId>,
+    /// What the coordinate is of: the link, or the pair between two moving links that is driven.
+    pub name: Name,
     /// Whether the coordinate is an angle (rad), otherwise a displacement (m).
     pub angular: bool,
     /// Whether the balancing load is a moment (N m), otherwise a force (N).

@@ -51,6 +51,9 @@ pub struct GroupReport {
     pub inner: Vec<Named<PairId>>,
     /// Pairs to links solved before.
     pub outer: Vec<Named<PairId>>,
+    /// Pairs between its links that are driven, so that both links are one of the kind.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub driven: Vec<Named<PairId>>,
     /// The assembly mode in the first position, counted as the kind documents; `None` where the kind can't list them, or the first
     /// position can't be assembled. Results call it `way`.
     #[serde(rename = "way")]
@@ -132,6 +135,7 @@ fn group(linkage: &Linkage, index: usize, modes: Option<Modes>) -> GroupReport {
         links: found.frame.links.iter().map(|&link| mechanism.named_link(link)).collect(),
         inner: found.frame.inner.iter().map(pair).collect(),
         outer: found.outer().iter().map(pair).collect(),
+        driven: found.frame.driven.iter().map(|driven| pair(&driven.pair)).collect(),
         mode: modes.as_ref().filter(|modes| !modes.all.is_empty()).map(|modes| modes.number(modes.present)),
         mode_count: modes.as_ref().map(|modes| modes.all.len()),
         modes: modes.map(|modes| {

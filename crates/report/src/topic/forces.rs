@@ -126,10 +126,11 @@ pub(super) fn balancing(source: &Source<'_>, page: &mut Document) {
 /// The balancing load in the shown positions.
 pub fn balancing_at_positions(source: &Source<'_>, page: &mut Document) {
     let link = match source.mechanism.balance {
-        Some(Balance::Moment(id) | Balance::Force { at: Place { link: id, .. }, .. }) => id,
-        None => source.mechanism.input.link,
+        Some(Balance::Moment(id) | Balance::Force { at: Place { link: id, .. }, .. }) => {
+            link_name(source.mechanism, id)
+        }
+        None => assur_book::driven_link(source.mechanism),
     };
-    let link = link_name(source.mechanism, link);
     let caption = if source.analysis.input.balancing_is_moment {
         text!("report-balancing-moment-on", link)
     } else {

@@ -185,7 +185,7 @@ fn motor_given(motor: &MotorChoice) -> Vec<Fact> {
 
 /// How many positions there are, of which link.
 pub fn task_text(source: &Source<'_>) -> Text {
-    let input = link_name(source.mechanism, source.mechanism.input.link);
+    let input = assur_book::driven_link(source.mechanism);
     text!("report-task-text", positions = source.mechanism.input.positions, link = input)
 }
 

@@ -14,7 +14,7 @@ use super::Source;
 pub fn mobility(source: &Source<'_>, page: &mut Document) {
     let (structure, mechanism) = (&source.analysis.structure, source.mechanism);
     let links = list(mechanism.links.iter().skip(1).map(|link| Text::from(&link.name)));
-    let input = Text::from(&source.analysis.input.link);
+    let input = assur_book::driven_link(mechanism);
     page.paragraph(text!("report-links", count = mechanism.links.len() - 1, links, input));
     counted(structure, source.analysis.input.angular, page);
 }

@@ -136,7 +136,8 @@ fn mechanism_of(draft: &mut Draft, pair: InputPair, from: f64) -> Mechanism {
     let assembly = (0..points.len()).collect::<Vec<_>>();
     let assembly = assembly.iter().filter(moving).map(|&id| (id, draft.world_of(id))).collect();
     let (positions, range) = (POSITIONS[0], Range::To(from));
-    let input = Input { link: 1, on: GROUND, pair, name: None, from, positions, range, direction: Sense::Ccw };
+    let input =
+        Input { link: 1, on: GROUND, pair, name: None, from, positions, range, direction: Sense::Ccw };
     Mechanism {
         title: "Specimen".to_owned(),
         links: draft.links.clone(),

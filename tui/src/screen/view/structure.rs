@@ -120,11 +120,8 @@ pub(crate) fn hidden(state: &State, scene: &Scene) -> usize {
 fn lines(state: &State, scene: &Scene, width: u16) -> Vec<(Role, String)> {
     let linkage = &scene.linkage;
     let mechanism = &linkage.mechanism;
-    let input = &mechanism.links[mechanism.input.link].name;
-    let pair = match mechanism.input.pair {
-        assur_mechanism::InputPair::Pin(point) => &mechanism.points[point].name,
-        assur_mechanism::InputPair::Slide(slide) => &mechanism.slides[slide].name,
-    };
+    let input = assur_book::driven_link(mechanism);
+    let pair = mechanism.pair_name(mechanism.input.driven_pair());
     let mut lines = vec![(Role::Plain, state.told(text!("structure-input", link = input, ground = pair)))];
     if let Some(joined) = state.joined {
         let with = (1..=joined).map(|group| text!("structure-with-group", group = number(group)));

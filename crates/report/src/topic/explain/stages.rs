@@ -3,7 +3,7 @@
 use std::collections::HashSet;
 
 use assur_analysis::{Methods, Options, plan::Plan};
-use assur_book::link_name;
+use assur_book::{driven_link, link_name};
 use assur_group::Order;
 use assur_mechanism::{
     Balance, CharacteristicKind, Drive, InputPair, Mechanism, Motion, MotorChoice, Solve, Torque,
@@ -107,7 +107,7 @@ fn velocities(mechanism: &Mechanism, plan: &Plan) -> Stage {
 
 /// What the input coordinate is.
 fn coordinate(mechanism: &Mechanism) -> Text {
-    let link = link_name(mechanism, mechanism.input.link);
+    let link = driven_link(mechanism);
     match mechanism.input.pair {
         InputPair::Pin(_) => text!("explain-angle-of", link),
         InputPair::Slide(_) => text!("explain-displacement-of", link),
@@ -249,7 +249,7 @@ fn balancing(mechanism: &Mechanism, plan: &Plan) -> Stage {
         return Err(text!("explain-with-reactions"));
     }
     let link = |id: usize| link_name(mechanism, id);
-    let input = || link(mechanism.input.link);
+    let input = || driven_link(mechanism);
     let reason = match (mechanism.balance, mechanism.input.pair) {
         (Some(Balance::Moment(id)), _) => text!("explain-balance-moment", link = link(id)),
         (Some(Balance::Force { at, .. }), _) => text!("explain-balance-force", link = link(at.link)),
