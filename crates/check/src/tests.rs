@@ -13,6 +13,7 @@ mod mutants;
 mod mutations;
 mod near;
 mod random;
+mod redriven;
 mod singular;
 mod switches;
 mod twice;

@@ -176,7 +176,7 @@ impl<'a> Compiler<'a> {
         let (bearings, structure) =
             (Bearing::all(self.linkage, &self.span_of_friction()), &self.linkage.structure);
         let unknowns = Unknown::all(self.mechanism, structure, &bearings);
-        let (blocks, whole) = Block::all(structure, self.mechanism.input.link, &bearings, &unknowns);
+        let (blocks, whole) = Block::all(structure, self.mechanism.input.placed(), &bearings, &unknowns);
         loads.frictions = Some(Arc::new(Frictions { bearings, unknowns, blocks, whole }));
     }
 

@@ -83,13 +83,7 @@ where
             let found = (self.solve)(group.as_ref(), self.bodies, loads, pairs);
             found.map_err(|reason| Unsolved::Group(index, reason))?;
         }
-        let pair = &self.linkage.structure.pairs[0].pair;
-        let Some(input) = self.linkage.mechanism.input.placed() else {
-            return Ok(drive_of_pair(pair, self.bodies, &mut pairs[0]));
-        };
-        let (reaction, drive) = input_link(pair, input, self.bodies, loads);
-        pairs[0] = reaction;
-        Ok(drive)
+        Ok(drive(self.linkage, self.bodies, loads, pairs))
     }
 
     /// Adds the reactions of the balancing load that makes the drive idle.
@@ -107,6 +101,24 @@ where
         out.balancing = size;
         Ok(())
     }
+}
+
+/// The load of the drive, where the reactions of all groups and the loads of an input link are known: a moment (N m), or a force along
+/// the guide (N). Of an input link the reaction of its pair is written too; a driven pair of a group loses the part of the drive.
+#[inline(always)]
+pub fn drive<T: Real>(
+    linkage: &Linkage,
+    bodies: &[Body<T>],
+    loads: &[Wrench<T>],
+    pairs: &mut [Wrench<T>],
+) -> T {
+    let pair = &linkage.structure.pairs[0].pair;
+    let Some(input) = linkage.mechanism.input.placed() else {
+        return drive_of_pair(pair, bodies, &mut pairs[0]);
+    };
+    let (reaction, drive) = input_link(pair, input, bodies, loads);
+    pairs[0] = reaction;
+    drive
 }
 
 /// The load of the drive of a pair between two moving links, which is taken out of what the pair exerts on its body `a`: the moment of a
@@ -127,7 +139,7 @@ pub fn drive_of_pair<T: Real>(pair: &Pair, bodies: &[Body<T>], reaction: &mut Wr
 
 /// Equilibrium of the input link: the reaction on body `a` of its pair with the ground, and the load of the drive.
 #[inline(always)]
-pub fn input_link<T: Real>(
+fn input_link<T: Real>(
     pair: &Pair,
     input: usize,
     bodies: &[Body<T>],

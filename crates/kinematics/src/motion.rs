@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use assur_group::plane::{dot, minus, perp, plus, vector};
 use assur_group::{Body, Order};
-use assur_mechanism::{LinkId, Place, PointId, Slide, SlideId};
+use assur_mechanism::{InputPair, LinkId, Place, PointId, Slide, SlideId};
 use assur_number::{Real, elementary};
 use serde::Serialize;
 
@@ -126,8 +126,12 @@ impl Linkage {
         ScalarMotion { pf0: elementary::atan2(body.s, body.c), pf1: body.w1, pf2: body.w2 }
     }
 
-    /// Motion of a slide.
+    /// Motion of a slide; that of a driven one between two moving links is the coordinate itself.
     pub fn slide_motion(&self, slide: SlideId, position: &Position) -> ScalarMotion {
+        let input = &self.mechanism.input;
+        if input.is_relative() && input.pair == InputPair::Slide(slide) {
+            return ScalarMotion { pf0: position.coordinate, pf1: 1.0, pf2: 0.0 };
+        }
         ScalarMotion::of_slide(&self.mechanism.slides[slide], &position.bodies)
     }
 }

@@ -189,7 +189,6 @@ scene-swap-of-and-on = swap `of` and `on`
 scene-which-on = `{ $pin }` joins more than two links
 scene-no-motor-between = `{ $key }` needs a link that is driven against the ground
 scene-torque-between = give `torque`: the load of the drive between both links
-scene-relative-friction = dry friction in pairs is not calculated where two moving links are driven against each other
 scene-cycle-or-range = a whole cycle, or a range
 scene-no-range = `to` equals `from`, but `positions` is { $positions }
 scene-one-position-or-another-end = positions = 1, or another end

@@ -195,7 +195,6 @@ scene-swap-of-and-on = поменяйте местами `of` и `on`
 scene-which-on = `{ $pin }` соединяет больше двух звеньев
 scene-no-motor-between = `{ $key }` требует звена, которое движут относительно стойки
 scene-torque-between = задайте `torque`: нагрузку привода между обоими звеньями
-scene-relative-friction = сухое трение в парах не рассчитывается там, где привод действует между двумя подвижными звеньями
 scene-cycle-or-range = либо целый цикл, либо промежуток
 scene-no-range = `to` равно `from`, а `positions` = { $positions }
 scene-one-position-or-another-end = positions = 1 или другой конец

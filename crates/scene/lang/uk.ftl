@@ -196,7 +196,6 @@ scene-swap-of-and-on = поміняйте місцями `of` і `on`
 scene-which-on = `{ $pin }` з'єднує більше двох ланок
 scene-no-motor-between = `{ $key }` потребує ланки, яку рухають відносно стояка
 scene-torque-between = задайте `torque`: навантаження приводу між обома ланками
-scene-relative-friction = сухе тертя в парах не розраховується там, де привід діє між двома рухомими ланками
 scene-cycle-or-range = або цілий цикл, або проміжок
 scene-no-range = `to` дорівнює `from`, а `positions` = { $positions }
 scene-one-position-or-another-end = positions = 1 або інший кінець

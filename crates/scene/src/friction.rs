@@ -1,19 +1,16 @@
 //! `[[friction]]`: dry friction in pairs.
 
-use assur_mechanism::{Friction, GROUND, Input, Middle, Motion, PairId, Surfaces};
+use assur_mechanism::{Friction, GROUND, Middle, Motion, PairId, Surfaces};
 use assur_words::text;
 
 use crate::text::{row, shown, such_as};
 use crate::walk::{Entry, Section};
-use crate::{context::Context, linkage::SceneLinks, reference, wishes};
+use crate::{linkage::SceneLinks, reference, wishes};
 
 /// The shortest length of contact, m: below it the moment of the guide is a couple of forces whose digits are lost.
 const LEAST_CONTACT: f64 = 1e-6;
 
-pub(crate) fn read(root: &Section<'_>, context: &Context<'_>, motion: Option<&Motion>) -> Vec<Friction> {
-    if let Some(entry) = root.get("friction").filter(|_| context.input.is_some_and(Input::is_relative)) {
-        root.faults.add(entry.key, text!("scene-relative-friction"), text!("scene-leave-it-out"));
-    }
+pub(crate) fn read(root: &Section<'_>, linkage: &SceneLinks, motion: Option<&Motion>) -> Vec<Friction> {
     if let (Some(Motion::Transient { .. } | Motion::Steady { .. }), Some(balance), Some(_)) =
         (motion, root.get("balance"), root.get("friction"))
     {
@@ -22,7 +19,7 @@ pub(crate) fn read(root: &Section<'_>, context: &Context<'_>, motion: Option<&Mo
     }
     let mut all: Vec<Friction> = Vec::new();
     for section in root.inners("friction") {
-        let Some(friction) = one(&section, context.linkage, all.len()) else { continue };
+        let Some(friction) = one(&section, linkage, all.len()) else { continue };
         if all.iter().any(|known| known.pair == friction.pair)
             && let Some(entry) = section.get("pair")
         {

@@ -132,7 +132,7 @@ fn scene(root: &Section<'_>) -> (Mechanism, Note) {
         assembly: wishes::assembly(root, &linkage),
         gravity: loads::gravity(root),
         loads: loads::read(root, &context),
-        frictions: friction::read(root, &context, motion.as_ref()),
+        frictions: friction::read(root, &linkage, motion.as_ref()),
         balance: wishes::balance(root, &linkage),
         drive: drive::read(root, motion.as_ref(), &context),
         motion,

@@ -2,4 +2,3 @@ force-friction = группа за группой с сухим трением �
     .source = Артоболевский, Теория механизмов и машин, трение в кинематических парах; Ortega, Rheinboldt 1970, 13.1
 force-friction-balance = уравновешивающая нагрузка из `[balance]`
 force-friction-input = входное звено
-force-friction-relative = привод действует между двумя подвижными звеньями

@@ -2,4 +2,3 @@ force-friction = група за групою із сухим тертям у п
     .source = Артоболевський, Теорія механізмів і машин, тертя в кінематичних парах; Ortega, Rheinboldt 1970, 13.1
 force-friction-balance = зрівноважувальне навантаження з `[balance]`
 force-friction-input = вхідна ланка
-force-friction-relative = привід діє між двома рухомими ланками

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use assur_force::{
     Block, ForceError, FreeMotion, FrictionForces, Frictions, Reactions, UnitBalance, Unknown, UnknownKind,
-    Unsolved, input_link,
+    Unsolved, drive,
 };
 use assur_friction::{Moduli, Width};
 use assur_group::Wrench;
@@ -119,13 +119,11 @@ impl<'a> Chain<'a> {
         for &stage in &block.stages {
             match stage.checked_sub(1) {
                 None => {
-                    let pair = &linkage.structure.pairs[0].pair;
-                    for set in 0..all.drives.len() {
-                        let input = linkage.mechanism.input.link;
-                        let (reaction, drive) = input_link(pair, input, bodies, all.loads(set));
-                        all.drives[set] = drive;
-                        let pairs = all.pairs.len() / all.drives.len();
-                        all.pairs[set * pairs] = reaction;
+                    let Responses { loads, pairs, drives } = &mut *all;
+                    let (links, count) = (loads.len() / drives.len(), pairs.len() / drives.len());
+                    let sets = loads.chunks(links).zip(pairs.chunks_mut(count));
+                    for ((loads, pairs), found) in sets.zip(drives) {
+                        *found = drive(linkage, bodies, loads, pairs);
                     }
                 }
                 Some(group) if self.solved[group] => {

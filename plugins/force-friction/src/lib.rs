@@ -27,7 +27,7 @@ use assur_force::{
 use assur_group::{AssurGroup, Wrench};
 use assur_kinematics::{LanePosition, Linkage, Position};
 use assur_number::{Lanes, elementary};
-use assur_words::{Text, text};
+use assur_words::text;
 
 use branches::Branch;
 use chain::Chain;
@@ -58,11 +58,6 @@ const FOLLOWED: usize = 12;
 pub struct Friction;
 
 impl ForceAnalyzer for Friction {
-    fn supports(&self, linkage: &Linkage) -> Result<(), Text> {
-        let is_relative = linkage.mechanism.input.is_relative();
-        if is_relative { Err(text!("force-friction-relative")) } else { Ok(()) }
-    }
-
     fn solve(
         &self,
         linkage: &Linkage,

@@ -3,7 +3,7 @@
 //! It keeps to small fixed memory. What it can't treat (a certificate of 1 or more, groups that are solved together, a
 //! balancing load elsewhere) is left to [`Chain`](crate::chain::Chain).
 
-use assur_force::{Bearing, Block, FrictionForces, Frictions, Reactions, Unknown, UnknownKind, input_link};
+use assur_force::{Bearing, Block, FrictionForces, Frictions, Reactions, Unknown, UnknownKind, drive};
 use assur_friction::{Sum, Unique};
 use assur_group::{AssurGroup, Body, Number, Wrench};
 use assur_kinematics::Linkage;
@@ -129,10 +129,7 @@ impl<T: Number> Quick<'_, T> {
         pairs: &mut [Wrench<T>],
     ) -> Option<T> {
         let Some(group) = stage.checked_sub(1) else {
-            let pair = &self.linkage.structure.pairs[0].pair;
-            let drive;
-            (pairs[0], drive) = input_link(pair, self.linkage.mechanism.input.link, self.bodies, loads);
-            return Some(drive);
+            return Some(drive(self.linkage, self.bodies, loads, pairs));
         };
         if solved[group] {
             self.groups[group].reactions(self.bodies, loads, pairs).ok()?;
@@ -142,8 +139,9 @@ impl<T: Number> Quick<'_, T> {
 
     #[inline(always)]
     fn links(&self, stage: usize) -> &[usize] {
-        let input = std::slice::from_ref(&self.linkage.mechanism.input.link);
-        stage.checked_sub(1).map_or(input, |group| &self.linkage.structure.groups[group].frame.links)
+        let input = &self.linkage.mechanism.input;
+        let own = if input.is_relative() { &[] } else { std::slice::from_ref(&input.link) };
+        stage.checked_sub(1).map_or(own, |group| &self.linkage.structure.groups[group].frame.links)
     }
 
     /// Solves the friction of a block and adds it to the loads.

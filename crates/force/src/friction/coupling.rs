@@ -1,6 +1,6 @@
 //! Which groups have to be solved together.
 //!
-//! Stage 0 is the input link, stage g + 1 the group g. A stage depends on those whose reactions load its links, and on those
+//! Stage 0 is the input link, or the drive of a pair between two links of a group; stage g + 1 is the group g. A stage depends on those whose reactions load its links, and on those
 //! whose reactions give the friction on its links. What depends on each other is one block.
 
 use std::cmp::Reverse;
@@ -14,7 +14,7 @@ use super::{Bearing, Unknown};
 /// Stages that are solved together.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Block {
-    /// The stages, the last first: 0 is the input link, others are groups plus 1.
+    /// The stages, the last first: 0 is that of the drive, others are groups plus 1.
     pub stages: Vec<usize>,
     /// Indices of the unknowns of friction that are found with it.
     pub unknowns: Vec<usize>,
@@ -35,7 +35,7 @@ impl Block {
     /// The blocks of a mechanism in solving order, and the whole of it as one.
     pub(crate) fn all(
         structure: &Structure,
-        input: LinkId,
+        input: Option<LinkId>,
         bearings: &[Bearing],
         unknowns: &[Unknown],
     ) -> (Vec<Self>, Self) {
@@ -47,6 +47,10 @@ impl Block {
             for loaded in [pair.pair.a, pair.pair.b].into_iter().filter_map(|link| stages.of_link[link]) {
                 needs[loaded].push(own);
             }
+        }
+        if input.is_none() {
+            // The load of the drive follows from the reaction of its pair.
+            needs[0].extend(structure.pairs.first().map(|driven| stages.of_pair[driven.pair.id]));
         }
         for unknown in unknowns {
             let bearing = &bearings[unknown.bearing];
@@ -82,10 +86,12 @@ struct Stages {
 }
 
 impl Stages {
-    fn of(structure: &Structure, input: LinkId) -> Self {
+    fn of(structure: &Structure, input: Option<LinkId>) -> Self {
         let mut found =
             Self { of_link: vec![None; structure.links], of_pair: vec![0; structure.pairs.len()] };
-        found.of_link[input] = Some(0);
+        if let Some(input) = input {
+            found.of_link[input] = Some(0);
+        }
         for (group, one) in structure.groups.iter().enumerate() {
             one.frame.links.iter().for_each(|link| found.of_link[*link] = Some(group + 1));
             one.frame.pairs().for_each(|pair| found.of_pair[pair.id] = group + 1);

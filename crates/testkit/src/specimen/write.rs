@@ -73,8 +73,17 @@ fn write_link(text: &mut String, m: &Mechanism, id: LinkId) -> Out {
 
 fn write_input(text: &mut String, m: &Mechanism) -> Out {
     let input = &m.input;
-    writeln!(text, "\n[input]\nlink = {:?}\nfrom = {:?}", m.links[input.link].name, input.from)?;
-    writeln!(text, "positions = {}", input.positions)?;
+    let [link, on] = [input.link, input.on].map(|link| &m.links[link].name);
+    match (input.is_relative(), input.pair) {
+        (false, _) => writeln!(text, "\n[input]\nlink = {link:?}")?,
+        (true, InputPair::Slide(slide)) => {
+            writeln!(text, "\n[input]\nslide = {:?}", m.slides[slide].name)?;
+        }
+        (true, InputPair::Pin(pin)) => {
+            writeln!(text, "\n[input]\npin = {:?}\nof = {link:?}\non = {on:?}", m.points[pin].name)?;
+        }
+    }
+    writeln!(text, "from = {:?}\npositions = {}", input.from, input.positions)?;
     match input.range {
         Range::To(to) => writeln!(text, "to = {to:?}"),
         Range::Cycle(cycle) => {
