@@ -292,6 +292,7 @@ structure-kind-named = class { $class }, { $kind }, order { $order }
 structure-view-links = links: { $links }
 structure-inner = inner pairs: { $pairs }
 structure-outer = outer pairs: { $pairs }
+structure-driven = driven pairs: { $pairs }
 structure-mode-of = assembly mode { $mode } of { $count }
 structure-determinant = determinant here: { $determinant }
 structure-plugin = plugin: { $name } ({ $crate_name })

@@ -267,6 +267,7 @@ structure-kind-named = класс { $class }, { $kind }, порядок { $order
 structure-view-links = звенья: { $links }
 structure-inner = внутренние пары: { $pairs }
 structure-outer = внешние пары: { $pairs }
+structure-driven = ведущие пары: { $pairs }
 structure-mode-of = вариант сборки { $mode } из { $count }
 structure-determinant = определитель здесь: { $determinant }
 structure-plugin = плагин: { $name } ({ $crate_name })

@@ -264,6 +264,7 @@ structure-kind-named = клас { $class }, { $kind }, порядок { $order }
 structure-view-links = ланки: { $links }
 structure-inner = внутрішні пари: { $pairs }
 structure-outer = зовнішні пари: { $pairs }
+structure-driven = ведучі пари: { $pairs }
 structure-mode-of = варіант складання { $mode } з { $count }
 structure-determinant = визначник тут: { $determinant }
 structure-plugin = плагін: { $name } ({ $crate_name })

@@ -8,8 +8,8 @@ mod tests;
 
 use assur_group::Body;
 use assur_kinematics::{Linkage, Position};
-use assur_mechanism::{Brake, GROUND, LinkId, Mechanism, PairId, Slide, Surfaces, Value};
-use assur_words::{joined, name, quantity};
+use assur_mechanism::{Brake, GROUND, InputPair, LinkId, Mechanism, PairId, Slide, Surfaces, Value};
+use assur_words::{Text, joined, name, quantity};
 
 use crate::model::{Ink, Item, Point, Sign, Stroke};
 use crate::number::plain;
@@ -85,6 +85,7 @@ impl Drawing<'_> {
         items.extend(self.blocks(bodies));
         items.extend(self.friction_circles(bodies));
         items.extend(self.pins(bodies));
+        items.extend(self.driven(bodies));
         for point in &self.linkage.mechanism.points {
             let Some(place) = point.places.iter().find(|place| self.shows(place.link)) else { continue };
             let at = bodies[place.link].point(place.at);
@@ -184,6 +185,22 @@ impl Drawing<'_> {
             };
             Some(Item::sign(bodies[place.link].point(place.at), sign, ink))
         })
+    }
+
+    /// The mark of a driven pair between two moving links: a dot with the name of the coordinate.
+    fn driven(&self, bodies: &[Body<f64>]) -> Vec<Item> {
+        let mechanism = &self.linkage.mechanism;
+        let input = &mechanism.input;
+        if !input.is_relative() || !self.shows(input.link) || !self.shows(input.on) {
+            return Vec::new();
+        }
+        let own = match input.pair {
+            InputPair::Pin(pin) => mechanism.place_in(pin, input.link).unwrap_or_default(),
+            InputPair::Slide(slide) => mechanism.slides[slide].point,
+        };
+        let at = bodies[input.link].point(own);
+        let text = input.name.as_ref().map_or_else(|| name("q"), Text::from);
+        vec![Item::sign(at, Sign::Dot, Ink::Second), Item::Name { at, text, ink: Ink::Second, needed: false }]
     }
 
     /// The circles of friction of the pins, of radius coefficient times that of the journal: what the reactions with friction touch.

@@ -139,12 +139,7 @@ pub fn drive_of_pair<T: Real>(pair: &Pair, bodies: &[Body<T>], reaction: &mut Wr
 
 /// Equilibrium of the input link: the reaction on body `a` of its pair with the ground, and the load of the drive.
 #[inline(always)]
-fn input_link<T: Real>(
-    pair: &Pair,
-    input: usize,
-    bodies: &[Body<T>],
-    loads: &[Wrench<T>],
-) -> (Wrench<T>, T) {
+fn input_link<T: Real>(pair: &Pair, input: usize, bodies: &[Body<T>], loads: &[Wrench<T>]) -> (Wrench<T>, T) {
     let (body, load) = (&bodies[input], &loads[input]);
     let on_input = pair.a == input;
     let signed = |x: T| if on_input { x } else { -x };

@@ -196,6 +196,7 @@ head-of = Of
 head-on = On
 head-order = Order
 head-outer = Outer pairs
+head-driven = Driven pairs
 head-overlap = Overlap
 head-pair = Pair
 head-pair-on = Pair, on link

@@ -203,6 +203,7 @@ head-of = Объект
 head-on = На звено
 head-order = Порядок
 head-outer = Внешние пары
+head-driven = Ведущие пары
 head-overlap = Перекрытие
 head-pair = Пара
 head-pair-on = Пара, на звено

@@ -203,6 +203,7 @@ head-of = Об’єкт
 head-on = На ланку
 head-order = Порядок
 head-outer = Зовнішні пари
+head-driven = Ведучі пари
 head-overlap = Перекриття
 head-pair = Пара
 head-pair-on = Пара, на ланку

@@ -27,9 +27,7 @@ fn moving_pairs(mechanism: &Mechanism) -> Vec<(LinkId, LinkId, InputPair)> {
 fn coordinate(linkage: &Linkage, pose: &Position, (of, on, pair): (LinkId, LinkId, InputPair)) -> [f64; 3] {
     let (a, b): (&Body<f64>, &Body<f64>) = (&pose.bodies[of], &pose.bodies[on]);
     match pair {
-        InputPair::Pin(_) => {
-            [(a.s * b.c - a.c * b.s).atan2(a.c * b.c + a.s * b.s), a.w1 - b.w1, a.w2 - b.w2]
-        }
+        InputPair::Pin(_) => [(a.s * b.c - a.c * b.s).atan2(a.c * b.c + a.s * b.s), a.w1 - b.w1, a.w2 - b.w2],
         InputPair::Slide(slide) => {
             let motion = linkage.slide_motion(slide, pose);
             [motion.pf0, motion.pf1, motion.pf2]
@@ -87,9 +85,14 @@ fn driven_between_two_moving_links_the_relative_motion_is_the_same() {
                 assert!(off < limit, "seed {seed}, {pair:?}: link {id} off by {off:e} of {limit:e}\n{text}");
             }
             compared += 1;
-            kinds.extend(moved.structure.groups.iter().filter(|group| !group.frame.driven.is_empty()).map(
-                |group| group.plugin.name,
-            ));
+            kinds.extend(
+                moved
+                    .structure
+                    .groups
+                    .iter()
+                    .filter(|group| !group.frame.driven.is_empty())
+                    .map(|group| group.plugin.name),
+            );
         }
     }
     assert!(compared > 200, "only {compared} pairs could be driven");

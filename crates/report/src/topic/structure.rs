@@ -109,7 +109,14 @@ fn groups_of(structure: &StructureReport, page: &mut Document) {
         .column(text!("head-order"), |(_, group)| number(group.order))
         .column(text!("head-links"), |(_, group)| named(&group.links))
         .column(text!("head-inner"), |(_, group)| named(&group.inner))
-        .column(text!("head-outer"), |(_, group)| named(&group.outer))
+        .column(text!("head-outer"), |(_, group)| named(&group.outer));
+    let has_driven = structure.groups.iter().any(|group| !group.driven.is_empty());
+    let table = if has_driven {
+        table.column(text!("head-driven"), |(_, group)| named(&group.driven))
+    } else {
+        table
+    };
+    let table = table
         .column(text!("head-mode"), |(_, group)| group.mode.map(ordinal))
         .column(text!("head-modes"), |(_, group)| group.mode_count.map(number));
     page.table(table.table());

@@ -3,8 +3,8 @@
 use std::fmt::Write;
 
 use assur_mechanism::{
-    Balance, Contact, Direction, GROUND, Inertia, LawTable, LinkId, LoadKind, Mechanism, Motion, Name, Over,
-    Place, Range, Sense, Shape, Value, VaryingInertia,
+    Balance, Contact, Direction, GROUND, Inertia, InputPair, LawTable, LinkId, LoadKind, Mechanism, Motion,
+    Name, Over, Place, Range, Sense, Shape, Value, VaryingInertia,
 };
 
 /// The text of a scene, all numbers in SI with all their digits.

@@ -170,6 +170,10 @@ fn details(state: &State, scene: &Scene, group: &assur_structure::Group, index: 
         text!("structure-inner", pairs = pairs(&group.frame.inner)),
         text!("structure-outer", pairs = pairs(&group.outer())),
     ];
+    let driven: Vec<_> = group.frame.driven.iter().map(|driven| driven.pair).collect();
+    if !driven.is_empty() {
+        lines.push(text!("structure-driven", pairs = pairs(&driven)));
+    }
     if let Some(pose) = scene.pose(position, 0.0) {
         if let Some(modes) = scene.modes(index, position) {
             let (mode, count) = (ordinal(modes.number(modes.present)), number(modes.all.len()));
