@@ -1,7 +1,7 @@
 //! What of a drawing is one mechanism: links that can't move are ground, links that nothing holds and other mechanisms beside it
 //! are left out.
 
-use assur_words::{Text, list, name, text};
+use assur_words::{Text, joined, list, name, text};
 
 use crate::{Drawing, Driven, Input, names};
 
@@ -23,7 +23,8 @@ pub(crate) fn reduce(drawing: &mut Drawing) -> Result<(), Text> {
     keep_links(drawing, &keep);
     alone(drawing);
     if drawing.links.is_empty() {
-        return Err(text!("import-nothing-moves"));
+        let lost = drawing.remarks.iter().filter(|remark| remark.is_lost).map(|remark| remark.text.clone());
+        return Err(joined(" ", std::iter::once(text!("import-nothing-moves")).chain(lost)));
     }
     if drawing.inputs.is_empty() {
         drive(drawing);
@@ -77,8 +78,20 @@ fn ground(drawing: &mut Drawing) -> bool {
     true
 }
 
-/// Keeps some of the links, and what belongs to these alone.
+/// Keeps some of the links, and what belongs to these alone; inputs and forces that are lost with the others are remarked.
 fn keep_links(drawing: &mut Drawing, keep: &[bool]) {
+    let before = [drawing.inputs.len(), drawing.forces.len()];
+    retain(drawing, keep);
+    let gone = [before[0] - drawing.inputs.len(), before[1] - drawing.forces.len()];
+    if gone[0] > 0 {
+        drawing.lose(text!("import-inputs-gone", count = gone[0]));
+    }
+    if gone[1] > 0 {
+        drawing.lose(text!("import-forces-gone", count = gone[1]));
+    }
+}
+
+fn retain(drawing: &mut Drawing, keep: &[bool]) {
     let mut count = 0;
     let new: Vec<Option<usize>> = keep
         .iter()

@@ -205,3 +205,18 @@ fn a_format_is_known_by_ending_or_beginning_or_named() {
     );
     assert!(of("x.dat", "", Some("other")).unwrap_err().to_string().contains("sketch"));
 }
+
+#[test]
+fn an_input_and_a_force_of_a_link_that_is_left_out_are_named() {
+    let mut drawing = slider_crank();
+    drawing.joints.extend([joint("C", [1.0, 0.0], true), joint("D", [1.0, 1.0], true)]);
+    drawing.links.push(link("frame", &[3, 4]));
+    drawing.inputs.push(Input { pair: Driven::Pin { joint: 3, of: 3, on: None }, rate: 1.0, travel: None });
+    let force =
+        Force { name: "P".to_owned(), link: 3, at: [0.0; 2], angle: 0.0, value: 1.0, is_local: false };
+    drawing.forces.push(force);
+    let Imported { scene, lost } = written(drawing);
+    assert_eq!(lost.len(), 2);
+    has(&scene, "# NOT IN THE SCENE: inputs of the links that are left out: 1.");
+    has(&scene, "# NOT IN THE SCENE: forces on the links that are left out: 1.");
+}

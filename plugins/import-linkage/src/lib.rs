@@ -120,36 +120,42 @@ impl Reading<'_> {
         }
     }
 
-    /// A rotating anchor turns all links at it as one.
+    /// Links that an input can turn: those that no other anchor holds.
+    fn turned_by(&self, joint: usize) -> Vec<usize> {
+        let at = self.drawing.joints[joint].at;
+        let is_held =
+            |other: &usize| self.drawing.joints[*other].is_grounded && self.drawing.joints[*other].at != at;
+        let is_free = |link: &usize| !self.drawing.links[*link].joints.iter().any(is_held);
+        self.links_of(joint).into_iter().filter(is_free).collect()
+    }
+
+    /// A rotating anchor turns all links at it as one; a pin that is no anchor turns the second of its links on the first.
     fn cranks(&mut self) {
         for (joint, connector) in self.file.connectors.iter().enumerate().filter(|(_, one)| one.is_input) {
-            let links = self.links_of(joint);
-            let Some((first, others)) = links.split_first() else {
-                self.drawing.lose(text!("import-linkage-input-of-nothing", joint = self.joint(joint)));
-                continue;
-            };
-            let on = if connector.is_anchor { None } else { others.first().copied() };
-            if connector.is_anchor {
-                for other in others {
-                    let (kept, other_name) = (self.named(*first), self.named(*other));
-                    self.drawing.weld([*first, *other]);
-                    self.drawing.tell(text!("import-linkage-fastened", link = other_name, to = kept));
+            let links = self.turned_by(joint);
+            let (of, on) = match (connector.is_anchor, &links[..]) {
+                (true, [first, others @ ..]) => {
+                    for other in others {
+                        let (kept, other_name) = (self.named(*first), self.named(*other));
+                        self.drawing.weld([*first, *other]);
+                        self.drawing.tell(text!("import-linkage-fastened", link = other_name, to = kept));
+                    }
+                    (*first, None)
                 }
-            } else if on.is_none() {
-                self.drawing.lose(text!("import-linkage-input-of-nothing", joint = self.joint(joint)));
-                continue;
-            }
+                (false, [on, of, ..]) => (*of, Some(*on)),
+                _ => {
+                    self.drawing.lose(text!("import-linkage-input-of-nothing", joint = self.joint(joint)));
+                    continue;
+                }
+            };
             let rate = -connector.rpm * TAU / 60.0;
             let sense = if rate < 0.0 { -1.0 } else { 1.0 };
-            let ends =
-                [-connector.offset, connector.limit - connector.offset].map(|end| sense * end.to_radians());
-            let travel = (connector.limit > 0.0).then_some([ends[0].min(ends[1]), ends[0].max(ends[1])]);
-            self.drawing.inputs.push(Input { pair: Driven::Pin { joint, of: *first, on }, rate, travel });
-            self.drawing.tell(text!(
-                "import-linkage-rpm",
-                joint = self.joint(joint),
-                rpm = number(connector.rpm)
-            ));
+            let ends = [-connector.offset, connector.limit - connector.offset];
+            let [one, other] = ends.map(|end| sense * end.to_radians());
+            let travel = (connector.limit > 0.0).then_some([one.min(other), one.max(other)]);
+            self.drawing.inputs.push(Input { pair: Driven::Pin { joint, of, on }, rate, travel });
+            let rpm = number(connector.rpm);
+            self.drawing.tell(text!("import-linkage-rpm", joint = self.joint(joint), rpm));
             self.by_hand(connector.is_manual, self.joint(joint));
         }
     }

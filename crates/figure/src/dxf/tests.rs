@@ -99,7 +99,7 @@ fn a_plan_has_a_round_scale_that_it_tells() {
     ));
     near(of_kind(&all, "LINE")[0], [11, 21], [140.0, 0.0]);
     let texts: Vec<String> = of_kind(&all, "TEXT").into_iter().map(|text| value(text, 1)).collect();
-    assert!(texts.iter().any(|text| text.ends_with("\\U+03BC_v = 0.05 m/s/mm")), "{texts:?}");
+    assert!(texts.iter().any(|text| text.ends_with("\\U+03BC_v = 0.05 (m/s)/mm")), "{texts:?}");
 }
 
 #[test]
