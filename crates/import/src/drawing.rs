@@ -160,3 +160,8 @@ impl Drawing {
         }
     }
 }
+
+/// Whether two places are not one.
+pub fn are_apart(one: [f64; 2], other: [f64; 2]) -> bool {
+    (one[0] - other[0]).hypot(one[1] - other[1]) > 0.0
+}

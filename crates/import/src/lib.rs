@@ -15,7 +15,7 @@ mod tests;
 use assur_plugin::RegistryError;
 use assur_words::{Describe, Language, Text, joined, list, name, text};
 
-pub use drawing::{Drawing, Driven, Force, Input, Joint, Link, Remark, Slide};
+pub use drawing::{Drawing, Driven, Force, Input, Joint, Link, Remark, Slide, are_apart};
 
 assur_words::resources!();
 

@@ -3,7 +3,7 @@
 
 use assur_words::{Text, joined, list, name, text};
 
-use crate::{Drawing, Driven, Input, names};
+use crate::{Drawing, Driven, Input, are_apart, names};
 
 /// Reduces a drawing to one mechanism.
 pub(crate) fn reduce(drawing: &mut Drawing) -> Result<(), Text> {
@@ -44,7 +44,7 @@ fn ground(drawing: &mut Drawing) -> bool {
         let joints = drawing.links[*link].joints.iter().map(|joint| &drawing.joints[*joint]);
         let mut fixed = joints.filter(|joint| joint.is_grounded).map(|joint| joint.at);
         let first = fixed.next();
-        fixed.any(|at| Some(at) != first)
+        first.is_some_and(|first| fixed.any(|at| are_apart(at, first)))
     };
     let Some(link) = (0..drawing.links.len()).find(is_fixed) else { return false };
     for joint in drawing.links[link].joints.clone() {

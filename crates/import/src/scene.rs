@@ -5,7 +5,7 @@ use std::fmt::Write;
 
 use assur_words::{Language, name, text};
 
-use crate::{Drawing, Driven, Input};
+use crate::{Drawing, Driven, Input, are_apart};
 
 /// Gravity of a drawing with weights, m/s^2.
 const GRAVITY: f64 = 9.81;
@@ -31,7 +31,7 @@ impl Frame {
             drawing.links[link].joints.iter().map(|joint| drawing.joints[*joint].at).collect();
         let at = places.first().copied().unwrap_or_default();
         let slide = drawing.slides.iter().find(|slide| slide.link == link || slide.on == Some(link));
-        let along = places.iter().find(|other| **other != at);
+        let along = places.iter().find(|other| are_apart(**other, at));
         let angle = along.map(|[x, y]| (y - at[1]).atan2(x - at[0])).or(slide.map(|slide| slide.angle));
         Self { at, angle: angle.unwrap_or_default() }
     }
@@ -110,9 +110,9 @@ impl Scene<'_> {
     fn remarks(&mut self, format: &'static str, language: &Language) {
         let drawing = self.drawing;
         let head = text!("import-head", format = name(format));
-        let remarks = drawing.remarks.iter().map(|remark| match remark.is_lost {
-            true => text!("import-lost", what = remark.text.clone()),
-            false => remark.text.clone(),
+        let remarks = drawing.remarks.iter().map(|remark| {
+            let told = remark.text.clone();
+            if remark.is_lost { text!("import-lost", what = told) } else { told }
         });
         for told in std::iter::once(head).chain(remarks) {
             let words = told.render(language);
@@ -170,7 +170,7 @@ impl Scene<'_> {
                 format!("point = {}", quoted(self.joint(slide.joint))),
                 format!("tilt = {}", digits(turned(own.angle - slide.angle))),
             ];
-            lines.iter().for_each(|line| self.line(line));
+            self.line(&lines.join("\n"));
         }
     }
 
@@ -245,17 +245,14 @@ impl Scene<'_> {
             let at = self.coordinate(input.pair);
             self.line(&format!("\n[[input]]\n{}", self.pair(input.pair)));
             let rows = course(input);
-            match rows.last().filter(|_| rows.len() > 1) {
-                Some([end, _]) => {
-                    until = until.max(*end);
-                    let rows = rows.iter().map(|[t, by]| format!("[{}, {}]", digits(*t), digits(at + by)));
-                    let table = rows.collect::<Vec<_>>().join(", ");
-                    self.line(&format!("over_time = {{ table = [{table}] }}"));
-                }
-                None => {
-                    until = until.max(if input.rate == 0.0 { 0.0 } else { TAU / input.rate.abs() });
-                    self.line(&format!("from = {}\nrate = {}", digits(at), digits(input.rate)));
-                }
+            if let [_, .., [end, _]] = rows[..] {
+                until = until.max(end);
+                let rows = rows.iter().map(|[t, by]| format!("[{}, {}]", digits(*t), digits(at + by)));
+                let table = rows.collect::<Vec<_>>().join(", ");
+                self.line(&format!("over_time = {{ table = [{table}] }}"));
+            } else {
+                until = until.max(if input.rate == 0.0 { 0.0 } else { TAU / input.rate.abs() });
+                self.line(&format!("from = {}\nrate = {}", digits(at), digits(input.rate)));
             }
         }
         if until > 0.0 {
@@ -302,8 +299,9 @@ fn course(input: &Input) -> Vec<[f64; 2]> {
     let mut rows = vec![[0.0, 0.0]];
     for to in [there, back, 0.0] {
         let [time, from] = rows[rows.len() - 1];
-        if to != from {
-            rows.push([time + (to - from).abs() / input.rate.abs(), to]);
+        let way = (to - from).abs();
+        if way > 0.0 {
+            rows.push([time + way / input.rate.abs(), to]);
         }
     }
     rows

@@ -140,7 +140,7 @@ impl File {
                     file.fastened.extend(held.into_iter().map(|connector| (connector, id.to_owned())));
                 }
                 "ratios" => {
-                    file.ratios.extend(node.children().filter(|one| one.has_tag_name("ratio")).map(ratio))
+                    file.ratios.extend(node.children().filter(|one| one.has_tag_name("ratio")).map(ratio));
                 }
                 _ => {}
             }

@@ -9,7 +9,7 @@ mod tests;
 
 use std::f64::consts::TAU;
 
-use assur_import::{Drawing, Driven, ImporterPlugin, Input, Joint, Link, Sign, Slide, Source};
+use assur_import::{Drawing, Driven, ImporterPlugin, Input, Joint, Link, Sign, Slide, Source, are_apart};
 use assur_words::{Text, list, name, number, quantity, text};
 
 use file::{Connector, Element, File};
@@ -123,8 +123,9 @@ impl Reading<'_> {
     /// Links that an input can turn: those that no other anchor holds.
     fn turned_by(&self, joint: usize) -> Vec<usize> {
         let at = self.drawing.joints[joint].at;
-        let is_held =
-            |other: &usize| self.drawing.joints[*other].is_grounded && self.drawing.joints[*other].at != at;
+        let is_held = |other: &usize| {
+            self.drawing.joints[*other].is_grounded && are_apart(self.drawing.joints[*other].at, at)
+        };
         let is_free = |link: &usize| !self.drawing.links[*link].joints.iter().any(is_held);
         self.links_of(joint).into_iter().filter(is_free).collect()
     }
@@ -172,7 +173,7 @@ impl Reading<'_> {
             let joints = self.drawing.links[link].joints.clone();
             let places: Vec<[f64; 2]> = joints.iter().map(|joint| self.drawing.joints[*joint].at).collect();
             let ([barrel, rod], [from, to]) = match (&joints[..], &places[..]) {
-                (&[barrel, rod], &[from, to]) if from != to => ([barrel, rod], [from, to]),
+                (&[barrel, rod], &[from, to]) if are_apart(from, to) => ([barrel, rod], [from, to]),
                 _ => {
                     self.drawing.lose(text!(
                         "import-linkage-cylinder",
@@ -223,7 +224,7 @@ impl Reading<'_> {
             let is_grounded = [from, to].iter().all(|end| self.drawing.joints[*end].is_grounded);
             let [a, b] = [from, to].map(|end| self.drawing.joints[end].at);
             let held = connector.is_anchor || self.links_of(joint).iter().any(|link| Some(*link) != shared);
-            if !held || a == b || shared.is_none() && !is_grounded {
+            if !held || !are_apart(a, b) || shared.is_none() && !is_grounded {
                 self.drawing.lose(text!("import-linkage-slot", joint = self.joint(joint)));
             } else if connector.radius == 0.0 {
                 self.block(joint, shared, [a, b]);
@@ -277,9 +278,11 @@ impl Reading<'_> {
         for ratio in &self.file.ratios {
             let named = |id: &String| self.file.element(id).map(|link| self.named(link));
             let links = list(ratio.links.iter().filter_map(named));
-            self.drawing.lose(match ratio.is_chain {
-                true => text!("import-linkage-chain", links, sizes = name(ratio.sizes.clone())),
-                false => text!("import-linkage-gears", links, sizes = name(ratio.sizes.clone())),
+            let sizes = name(ratio.sizes.clone());
+            self.drawing.lose(if ratio.is_chain {
+                text!("import-linkage-chain", links, sizes)
+            } else {
+                text!("import-linkage-gears", links, sizes)
             });
         }
         let fastened = self.file.connectors.iter().enumerate().filter(|(_, one)| one.is_turned_by_another);

@@ -10,7 +10,9 @@ mod tests;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
-use assur_import::{Drawing, Driven, Force, ImporterPlugin, Input, Joint, Link, Sign, Slide, Source};
+use assur_import::{
+    Drawing, Driven, Force, ImporterPlugin, Input, Joint, Link, Sign, Slide, Source, are_apart,
+};
 use assur_words::{Text, name, text};
 
 use payload::Payload;
@@ -182,7 +184,7 @@ impl Reading<'_> {
             // Where another joint of the sliding link stands in the same place, it is the one on the line.
             let twin = self.drawing.links[link].joints.iter().copied();
             let twin = twin.filter(|other| *other != joint && !self.payload.joints[*other].is_slide);
-            let twin = twin.clone().find(|other| self.drawing.joints[*other].at == through);
+            let twin = twin.clone().find(|other| !are_apart(self.drawing.joints[*other].at, through));
             if twin.is_some() {
                 self.drawing.links[link].joints.retain(|other| *other != joint);
             }
