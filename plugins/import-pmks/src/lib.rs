@@ -166,16 +166,10 @@ impl Reading<'_> {
             if own.is_grounded {
                 bodies.insert(0, None);
             }
-            let (on, link) = match bodies[..] {
-                [on, Some(link)] => (on, link),
-                _ => {
-                    self.drawing.lose(text!(
-                        "import-pmks-guide",
-                        joint = self.joint(joint),
-                        count = bodies.len()
-                    ));
-                    continue;
-                }
+            let [on, Some(link)] = bodies[..] else {
+                let count = bodies.len();
+                self.drawing.lose(text!("import-pmks-guide", joint = self.joint(joint), count));
+                continue;
             };
             let through = self.drawing.joints[joint].at;
             if let Some(on) = on {

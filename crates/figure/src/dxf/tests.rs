@@ -160,7 +160,7 @@ fn further_planes_stand_beside_and_below_the_first() {
 
 #[test]
 fn plots_and_nothing_are_refused() {
-    let axis = || Axis::around(unit("N"), [0.0, 1.0].into_iter(), 0.0);
+    let axis = || Axis::around(unit("N"), [0.0, 1.0], 0.0);
     let frame = Frame::Axes { x: axis(), y: axis(), cursor: None::<Cursor> };
     let plot = Figure::of(Panel { title: name("F"), frame, items: Vec::new() });
     for figures in [vec![plot], Vec::new()] {

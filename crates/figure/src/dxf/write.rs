@@ -7,13 +7,18 @@ use super::arc::Arc;
 use crate::bounds::Bounds;
 use crate::model::{Ink, Point, Stroke};
 
-/// Lines that are no continuous ones: name, how they look, lengths of dashes (positive) and gaps, mm of paper.
-const TYPES: [(&str, &str, &[f64]); 4] = [
-    ("CONTINUOUS", "Solid line", &[]),
-    ("DASHED", "_ _ _", &[1.6, -1.1]),
-    ("DOTTED", ". . .", &[0.35, -0.9]),
-    ("CHAIN", "_ . _", &[3.0, -0.9, 0.35, -0.9]),
-];
+/// Height of a capital letter, in text sizes.
+const CAPITAL: f64 = 0.72;
+/// What stands before the layers: the release, and the kinds of lines with their lengths of dashes and gaps, mm of paper.
+const HEAD: &str = "0 SECTION|2 HEADER|9 $ACADVER|1 AC1009";
+const TYPES: &str = "0 ENDSEC|0 SECTION|2 TABLES|0 TABLE|2 LTYPE|70 4\
+    |0 LTYPE|2 CONTINUOUS|70 64|3 Solid line|72 65|73 0|40 0.0\
+    |0 LTYPE|2 DASHED|70 64|3 _ _ _|72 65|73 2|40 2.7|49 1.6|49 -1.1\
+    |0 LTYPE|2 DOTTED|70 64|3 . . .|72 65|73 2|40 1.25|49 0.35|49 -0.9\
+    |0 LTYPE|2 CHAIN|70 64|3 _ . _|72 65|73 4|40 5.15|49 3.0|49 -0.9|49 0.35|49 -0.9\
+    |0 ENDTAB|0 TABLE|2 LAYER";
+const ENTITIES: &str = "0 ENDTAB|0 ENDSEC|0 SECTION|2 ENTITIES";
+const END: &str = "0 ENDSEC|0 EOF";
 
 /// What an entity stands for.
 #[derive(Debug, Clone, Copy)]
@@ -74,6 +79,13 @@ fn group(out: &mut String, code: u8, value: impl std::fmt::Display) {
     let _ = write!(out, "{code:>3}\r\n{value}\r\n");
 }
 
+/// Groups with bars between them, each a code and a value.
+fn groups(out: &mut String, all: &str) {
+    for (code, value) in all.split('|').filter_map(|one| one.split_once(' ')) {
+        let _ = write!(out, "{code:>3}\r\n{value}\r\n");
+    }
+}
+
 /// A coordinate: a millionth of a millionth of a unit is nothing.
 fn number(value: f64) -> String {
     let text = format!("{value:.12}");
@@ -132,12 +144,12 @@ impl Drawing {
 
     fn stroke(&mut self, stroke: Option<Stroke>) {
         let kind = match stroke {
-            Some(Stroke::Dashed) => 1,
-            Some(Stroke::Dotted) => 2,
-            Some(Stroke::Chain) => 3,
+            Some(Stroke::Dashed) => "DASHED",
+            Some(Stroke::Dotted) => "DOTTED",
+            Some(Stroke::Chain) => "CHAIN",
             _ => return,
         };
-        self.group(6, TYPES[kind].0);
+        self.group(6, kind);
     }
 
     /// A line from point to point; a single one is a point.
@@ -206,8 +218,6 @@ impl Drawing {
     pub(super) fn text(&mut self, at: Point, height: f64, text: &str, layer: Layer) {
         self.begin("TEXT", layer);
         self.point(10, at);
-        // A capital letter is so high in a text size.
-        const CAPITAL: f64 = 0.72;
         self.group(40, number(CAPITAL * height * self.factor));
         self.group(1, ascii(text));
     }
@@ -215,32 +225,18 @@ impl Drawing {
     /// The file.
     pub(super) fn finish(self) -> String {
         let mut out = String::new();
-        let add = |out: &mut String, groups: &[(u8, &str)]| {
-            groups.iter().for_each(|(code, value)| group(out, *code, value))
-        };
-        add(&mut out, &[(0, "SECTION"), (2, "HEADER"), (9, "$ACADVER"), (1, "AC1009"), (9, "$LTSCALE")]);
-        group(&mut out, 40, number(self.first.unwrap_or(1.0)));
+        groups(&mut out, HEAD);
+        groups(&mut out, &format!("9 $LTSCALE|40 {}", number(self.first.unwrap_or(1.0))));
         for (name, [x, y]) in [("$EXTMIN", self.bounds.low), ("$EXTMAX", self.bounds.high)] {
-            add(&mut out, &[(9, name), (10, &number(x)), (20, &number(y)), (30, "0.0")]);
+            groups(&mut out, &format!("9 {name}|10 {}|20 {}|30 0.0", number(x), number(y)));
         }
-        add(&mut out, &[(0, "ENDSEC"), (0, "SECTION"), (2, "TABLES"), (0, "TABLE"), (2, "LTYPE")]);
-        group(&mut out, 70, TYPES.len());
-        for (name, look, dashes) in TYPES {
-            let (count, sum) = (dashes.len().to_string(), number(dashes.iter().map(|dash| dash.abs()).sum()));
-            add(
-                &mut out,
-                &[(0, "LTYPE"), (2, name), (70, "64"), (3, look), (72, "65"), (73, &count), (40, &sum)],
-            );
-            dashes.iter().for_each(|dash| group(&mut out, 49, number(*dash)));
-        }
-        add(&mut out, &[(0, "ENDTAB"), (0, "TABLE"), (2, "LAYER")]);
-        group(&mut out, 70, self.layers.len());
+        groups(&mut out, &format!("{TYPES}|70 {}", self.layers.len()));
         for (name, color) in &self.layers {
-            add(&mut out, &[(0, "LAYER"), (2, name), (70, "64"), (62, &color.to_string()), (6, TYPES[0].0)]);
+            groups(&mut out, &format!("0 LAYER|2 {name}|70 64|62 {color}|6 CONTINUOUS"));
         }
-        add(&mut out, &[(0, "ENDTAB"), (0, "ENDSEC"), (0, "SECTION"), (2, "ENTITIES")]);
+        groups(&mut out, ENTITIES);
         out.push_str(&self.entities);
-        add(&mut out, &[(0, "ENDSEC"), (0, "EOF")]);
+        groups(&mut out, END);
         out
     }
 }
