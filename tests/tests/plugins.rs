@@ -24,7 +24,10 @@ fn registered() -> BTreeSet<String> {
         .map(|plugin| plugin.crate_name);
     let catalogues =
         assur_motor::catalogues().expect("a sound registry").into_iter().map(|plugin| plugin.crate_name);
-    groups.chain(analyzers).chain(integrators).chain(catalogues).map(str::to_owned).collect()
+    let importers =
+        assur_import::importers().expect("a sound registry").into_iter().map(|plugin| plugin.crate_name);
+    let all = groups.chain(analyzers).chain(integrators).chain(catalogues).chain(importers);
+    all.map(str::to_owned).collect()
 }
 
 #[test]

@@ -63,7 +63,8 @@ pub(crate) fn free_beside(file: &Path) -> Option<u64> {
     found.f_bavail.checked_mul(found.f_frsize)
 }
 
-pub(crate) fn read(path: &Path) -> Result<String, FileError> {
+/// The content of a file, whatever it is; its size has a limit.
+pub(crate) fn read_bytes(path: &Path) -> Result<Vec<u8>, FileError> {
     let error = |problem: Text| FileError::read(path, problem);
     if path.is_dir() {
         return Err(error(text!("file-is-folder")));
@@ -79,7 +80,12 @@ pub(crate) fn read(path: &Path) -> Result<String, FileError> {
     if bytes.len() > most {
         return Err(error(text!("file-too-large", most = quantity(most >> 20, "MiB"))));
     }
-    String::from_utf8(bytes).map_err(|problem| {
+    Ok(bytes)
+}
+
+pub(crate) fn read(path: &Path) -> Result<String, FileError> {
+    let error = |problem: Text| FileError::read(path, problem);
+    String::from_utf8(read_bytes(path)?).map_err(|problem| {
         let (read, rest) = problem.as_bytes().split_at(problem.utf8_error().valid_up_to());
         let before = String::from_utf8_lossy(read);
         // A byte order mark does not belong to the first line.

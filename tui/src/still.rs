@@ -3,7 +3,7 @@
 use std::ops::Range;
 use std::path::Path;
 
-use assur_figure::{Figure, Page, one_scale, svg};
+use assur_figure::{Figure, Page, dxf, one_scale, svg};
 use assur_picture::{Arrows, Look, Picture, Results, ViewPart, find};
 use assur_png as png;
 use assur_scene::nearest;
@@ -67,6 +67,11 @@ fn page(text: &str) -> Result<[f64; 2], Told> {
         let [least, most] = [SIDES.start(), SIDES.end()].map(number);
         Told(text!("cli-write-size", least = least, most = most))
     })
+}
+
+/// Whether a file is a drawing for CAD by its ending.
+pub(crate) fn is_dxf(path: &Path) -> bool {
+    path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("dxf"))
 }
 
 /// The SVG of a page in the form that the ending of a file names.
@@ -186,6 +191,9 @@ pub(crate) fn draw(
             positions.iter().copied().map(of).collect::<Result<_, _>>().map(to_one_scale)
         };
         let rows = polygons.map(row).collect::<Result<Vec<_>, StillError>>()?.concat();
+        if is_dxf(output) {
+            return Ok(dxf::write(&rows, language)?.into_bytes());
+        }
         return sheet(&rows, positions.len(), page, output, language);
     }
     if output.extension().is_none_or(|ending| !ending.eq_ignore_ascii_case("svg")) {

@@ -1,7 +1,7 @@
 //! Figures: what is drawn, and the renderers that draw it.
 //!
 //! A [`Figure`] holds panels, a panel holds items (lines, arrows, pins, springs, names) in real units. It is drawn as
-//! character cells ([`cells`]) and as SVG ([`svg`]), which another crate paints; both show the same items. [`mechanism`] makes
+//! character cells ([`cells`]), as SVG ([`svg`]), which another crate paints, and as DXF ([`dxf`]); all show the same items. [`mechanism`] makes
 //! the items of a linkage in one position.
 //!
 //! A plane (a mechanism, a plan, a hodograph) has one scale for both axes; on paper it is a round one, so that a length
@@ -11,11 +11,13 @@
 mod axis;
 mod bounds;
 pub mod cells;
+pub mod dxf;
 pub mod mechanism;
 mod model;
 pub mod number;
 mod page;
 mod scale;
+mod sign;
 pub mod svg;
 mod trace;
 

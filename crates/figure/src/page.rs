@@ -4,16 +4,16 @@ mod axes;
 mod element;
 mod legend;
 mod names;
-mod plane;
+pub(crate) mod plane;
 
 pub(crate) use element::Element;
 
 use assur_words::{Language, Text};
 
 use crate::model::{Figure, Frame, Ink, Item, Panel, Point, Sign, Stroke};
-use crate::trace::{block, shifted};
+use crate::sign::{Form, Shape, shapes};
 use element::{Outline, circle, polygon, polyline, text};
-use names::Names;
+pub(crate) use names::Names;
 
 /// Text size, mm.
 pub const EM: f64 = 3.0;
@@ -142,7 +142,7 @@ fn shrunk(figure: &Figure, [width, height]: [f64; 2], language: &Language) -> (V
 }
 
 /// A heading without the quotes by which names of the scene are told apart in running text.
-fn plain(title: &Text, language: &Language) -> String {
+pub(crate) fn plain(title: &Text, language: &Language) -> String {
     title.render(language).replace('`', "")
 }
 
@@ -178,12 +178,7 @@ fn drawn(marks: &[Item], room: Room, language: &Language) -> Vec<Element> {
     }
     for mark in marks {
         if let Item::Sign { at, along, sign, ink } = mark {
-            match sign {
-                Sign::Hatch => names.avoid(&[*at, shifted(*at, *along, 0.4 * EM)]),
-                Sign::Block => names.keep(*at, 0.5 * EM),
-                Sign::Bearing => names.keep_bearing(*at),
-                _ => names.keep(*at, 0.2 * EM),
-            }
+            names.keep_sign(*at, *along, *sign);
             elements.extend(sign_elements(*at, *along, *sign, *ink));
         }
     }
@@ -212,50 +207,12 @@ fn stroked(points: &[Point], stroke: Stroke, ink: Ink) -> Vec<Element> {
 }
 
 fn sign_elements(at: Point, along: Point, sign: Sign, ink: Ink) -> Vec<Element> {
-    let line = Outline { ink, width: width::LINE, filled: None };
-    let paper = Outline { filled: Some(0.0), ..line };
-    let full = Outline { filled: Some(1.0), ..line };
-    let cross = |directions: [Point; 2]| {
-        let ends = directions.map(|along| [shifted(at, along, -0.3 * EM), shifted(at, along, 0.3 * EM)]);
-        ends.iter().map(|ends| polyline(ends, Stroke::Solid, ink)).collect()
+    let outline = |filled| Outline { ink, width: width::LINE, filled };
+    let element = |shape: Shape| match shape.form {
+        Form::Circle { at, radius } => circle(at, radius, outline(Some(shape.filled))),
+        Form::Polygon(corners) => polygon(&corners, outline(Some(shape.filled))),
+        Form::Line(ends) => polyline(&ends, Stroke::Solid, ink),
+        Form::Fine(ends) => element::fine(&ends, ink),
     };
-    match sign {
-        Sign::Pin => vec![circle(at, 0.3 * EM, paper)],
-        Sign::Dot | Sign::Node => vec![circle(at, 0.13 * EM, full)],
-        Sign::Ring => vec![circle(at, 0.25 * EM, paper)],
-        Sign::Star => vec![circle(at, 0.15 * EM, paper)],
-        Sign::Cross => {
-            let half = std::f64::consts::FRAC_1_SQRT_2;
-            cross([[half, half], [half, -half]])
-        }
-        Sign::Plus => cross([[1.0, 0.0], [0.0, 1.0]]),
-        Sign::Block => vec![polygon(&block(at, along, EM), paper)],
-        Sign::Hatch => {
-            // A stroke at half a right angle to the line.
-            let slanted = [along[0] + along[1], along[1] - along[0]];
-            let fine = [at, shifted(at, slanted, 0.4 * EM)];
-            vec![element::fine(&fine, ink)]
-        }
-        Sign::Head => {
-            let back = shifted(at, along, -0.8 * EM);
-            let across = [-along[1], along[0]];
-            vec![polygon(&[at, shifted(back, across, 0.22 * EM), shifted(back, across, -0.22 * EM)], full)]
-        }
-        Sign::Bearing => bearing(at, ink),
-    }
-}
-
-fn bearing(at: Point, ink: Ink) -> Vec<Element> {
-    let line = Outline { ink, width: width::LINE, filled: Some(0.0) };
-    let base = at[1] + 1.1 * EM;
-    let corner = |side: f64| [at[0] + side * EM, base];
-    let hatching = (0..5).map(|stroke| {
-        let x = at[0] + (-1.0 + 0.5 * f64::from(stroke)) * EM;
-        element::fine(&[[x, base], [x - 0.4 * EM, base + 0.4 * EM]], ink)
-    });
-    let mut elements = vec![polygon(&[at, corner(-0.7), corner(0.7)], line)];
-    elements.push(polyline(&[corner(-1.2), corner(1.2)], Stroke::Solid, ink));
-    elements.extend(hatching);
-    elements.push(circle(at, 0.3 * EM, line));
-    elements
+    shapes(at, along, sign, EM).into_iter().map(element).collect()
 }

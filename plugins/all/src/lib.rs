@@ -15,6 +15,8 @@ use assur_group_rpr as _;
 use assur_group_rrp as _;
 use assur_group_rrr as _;
 use assur_group_triad as _;
+use assur_import_linkage as _;
+use assur_import_pmks as _;
 use assur_integrator_closed_form as _;
 use assur_integrator_dormand_prince as _;
 use assur_integrator_energy as _;

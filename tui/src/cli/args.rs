@@ -62,9 +62,11 @@ pub(crate) enum Command {
     Sweep(super::sweep::SweepArgs),
     /// Write a scene with other numbers, its comments kept: values by key, or a row of a sweep
     Set(super::set::SetArgs),
+    /// Make a scene of a drawing of another program: a file, or a link in quotes
+    Import(super::import::ImportArgs),
     /// Search and print the reference of the keys of a scene
     Keys(super::keys::KeysArgs),
-    /// List every registered group, force analyzer, integrator and catalogue
+    /// List every registered group, force analyzer, integrator, catalogue and importer
     Plugins,
     /// List motors of the catalogues
     Motors(MotorArgs),

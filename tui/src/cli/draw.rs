@@ -25,7 +25,7 @@ pub(crate) struct DrawArgs {
     scene: SceneArgs,
     #[command(flatten)]
     request: PictureArgs,
-    /// File to write; its ending chooses the form: .svg or .png
+    /// File to write; its ending chooses the form: .svg, .png, or .dxf (planes alone, 1 unit is 1 mm)
     #[arg(short, long, value_name = "FILE")]
     output: PathBuf,
 }

@@ -33,6 +33,9 @@ pub(crate) fn plugins(style: Style) -> Result<Status, Fault> {
     for plugin in catalogues().map_err(Fault::told)? {
         add("cli-plugin-catalogue", [plugin.name, plugin.crate_name], [&plugin.summary, &plugin.source]);
     }
+    for plugin in assur_import::importers().map_err(Fault::told)? {
+        add("cli-plugin-importer", [plugin.name, plugin.crate_name], [&plugin.summary, &plugin.source]);
+    }
     let head =
         ["cli-plugin-sort", "cli-plugin-name", "cli-plugin-crate", "cli-plugin-what", "cli-plugin-source"];
     print(Table::list(Text::default(), head.map(|id| Column::of(text!(id)))).rows(rows), style)?;

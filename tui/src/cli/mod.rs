@@ -7,6 +7,7 @@ mod config;
 mod draw;
 mod explain;
 mod fault;
+mod import;
 mod keys;
 mod lists;
 mod options;
@@ -103,6 +104,7 @@ fn command(cli: Cli, configured: Configured, style: Style) -> Result<Status, Fau
         Some(Command::Draw(args)) => draw::draw(&args, style),
         Some(Command::Sweep(args)) => sweep::run(&args, style),
         Some(Command::Set(args)) => set::run(&args, style),
+        Some(Command::Import(args)) => import::run(&args, style),
         Some(Command::Keys(args)) => keys::run(&args, style),
         Some(Command::Plugins) => lists::plugins(style),
         Some(Command::Motors(args)) => lists::motors(&args, style),

@@ -3,12 +3,12 @@
 use std::collections::BTreeSet;
 
 /// Authors and makers, as the sources of methods and motors name them.
-const AUTHORS: &str =
-    "Ortega Rheinboldt Hairer rsett Wanner Leroy Somer IMfinity Innomotics Motive rev Bonfiglioli";
+const AUTHORS: &str = "Ortega Rheinboldt Hairer rsett Wanner Leroy Somer IMfinity Innomotics Motive rev Bonfiglioli \
+     Linkage linkage2 PMKS PMKSWeb Web GitHub Windows Copy URL";
 /// Symbols, signs of files and programs: no registry has them.
 const SYMBOLS: &str = "phi2 rpm max abs sin cos tan atan2 sign step rms kor phi alpha beta delta sigma pi dq dw dt PF0 PF1 PF2 TestPf Pogr1 \
-                       Mmax Mn Typst Markdown HTML SVG PNG CSV JSON TOML Parquet UTF ASCII Braille Sobol kitty iTerm2 XDG_CONFIG_HOME HOME \
-                       NO_COLOR FILE SCENE KEY FOLDER NAME toml csv svg png txt html md typ parquet json new fg assur Ctrl \
+                       Mmax Mn Typst Markdown HTML SVG PNG DXF CSV JSON TOML Parquet UTF ASCII Braille Sobol kitty iTerm2 XDG_CONFIG_HOME HOME \
+                       NO_COLOR FILE SCENE KEY FOLDER NAME toml csv svg png dxf txt html md typ parquet json new fg assur Ctrl \
                        true false auto off on open set compare";
 
 /// The words of a text: runs of Latin letters, digits and underscores.

@@ -2,7 +2,8 @@
 
 use super::{EM, Room};
 use crate::bounds::inside;
-use crate::model::Point;
+use crate::model::{Point, Sign};
+use crate::trace::shifted;
 
 /// Mean width of a letter and of a digit of a proportional font, in text sizes.
 const LETTER: f64 = 0.62;
@@ -85,7 +86,7 @@ const BETWEEN: f64 = 0.3;
 
 /// What is covered so far.
 #[derive(Debug)]
-pub(super) struct Names {
+pub(crate) struct Names {
     room: Room,
     lines: Vec<[Point; 2]>,
     /// Left, top, right, bottom of texts and signs.
@@ -93,28 +94,38 @@ pub(super) struct Names {
 }
 
 impl Names {
-    pub(super) fn new(room: Room) -> Self {
+    pub(crate) fn new(room: Room) -> Self {
         Self { room, lines: Vec::new(), texts: Vec::new() }
     }
 
     /// Remembers a line that names must not cover.
-    pub(super) fn avoid(&mut self, points: &[Point]) {
+    pub(crate) fn avoid(&mut self, points: &[Point]) {
         self.lines.extend(points.windows(2).map(|two| [two[0], two[1]]));
     }
 
-    /// Remembers a sign that names must not cover: a square of this half side around a point.
-    pub(super) fn keep(&mut self, [x, y]: Point, half: f64) {
+    /// Remembers a sign that names must not cover.
+    pub(crate) fn keep_sign(&mut self, at: Point, along: Point, sign: Sign) {
+        match sign {
+            Sign::Hatch => self.avoid(&[at, shifted(at, along, 0.4 * EM)]),
+            Sign::Block => self.keep(at, 0.5 * EM),
+            Sign::Bearing => self.keep_bearing(at),
+            _ => self.keep(at, 0.2 * EM),
+        }
+    }
+
+    /// Remembers a square of this half side around a point.
+    fn keep(&mut self, [x, y]: Point, half: f64) {
         self.texts.push([x - half, y - half, x + half, y + half]);
     }
 
     /// Remembers a bearing below its point.
-    pub(super) fn keep_bearing(&mut self, [x, y]: Point) {
+    fn keep_bearing(&mut self, [x, y]: Point) {
         self.texts.push([x - 1.6 * EM, y - 0.3 * EM, x + 1.2 * EM, y + 1.5 * EM]);
     }
 
     /// The place of a name beside a point, where its baseline begins, and whether it is seen: not where it is not needed
     /// and would cover something.
-    pub(super) fn place(&mut self, at: Point, name: &str, needed: bool) -> (Point, bool) {
+    pub(crate) fn place(&mut self, at: Point, name: &str, needed: bool) -> (Point, bool) {
         let (width, away) = (text_width(name), APART * EM);
         let rings = if needed { RINGS } else { NEAR };
         let near = self.near(at, [width, rings as f64 * away]);

@@ -12,7 +12,7 @@ use crate::scale::{SCALES, Scale};
 use crate::trace::Paper;
 
 /// Free space around what is drawn, for names, bearings and sliders, in text sizes.
-const MARGIN: f64 = 2.2;
+pub(crate) const MARGIN: f64 = 2.2;
 /// Greatest length of a scale bar, and height of its ends, mm.
 const BAR: f64 = 20.0;
 const END: f64 = 0.4 * EM;
@@ -64,9 +64,14 @@ fn fit(bounds: &Bounds, scales: &[Scale], room: Room, lines: usize) -> (Room, f6
     let [width, height] = bounds.size();
     let free = |length: f64| (length - 2.0 * MARGIN * EM - BORDER).max(1.0);
     let least = (width / free(plot.width)).max(height / free(plot.height));
+    (plot, scaled(least, scales))
+}
+
+/// The scale of a plane of which a millimeter is at least so many units.
+pub(crate) fn scaled(least: f64, scales: &[Scale]) -> f64 {
     let least = if least.is_finite() && least > 0.0 { least } else { 1.0 };
     let is_round = scales.first().is_some_and(|scale| !scale.symbol.is_empty());
-    (plot, if is_round { round_up(least, &SCALES) } else { least })
+    if is_round { round_up(least, &SCALES) } else { least }
 }
 
 /// A scale as a bar of a round number of units.
@@ -78,7 +83,7 @@ fn bar(own: &Scale, scale: f64, [left, base]: Point, language: &Language) -> [El
 }
 
 /// The length of the bar of a scale, and what it is with the factor: what a millimeter stands for.
-fn told(own: &Scale, scale: f64, language: &Language) -> (f64, String) {
+pub(crate) fn told(own: &Scale, scale: f64, language: &Language) -> (f64, String) {
     let (bar, length) = own.bar(BAR * scale);
     let factor = (!own.symbol.is_empty()).then(|| {
         let symbol = name(format!("μ_{{{}}}", own.symbol));

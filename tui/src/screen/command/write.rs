@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use assur_analysis::results::Check;
-use assur_figure::{Figure, Frame, Item, svg};
+use assur_figure::{Figure, Frame, Item, dxf, svg};
 use assur_report::csv::{self, CsvCell};
 use assur_words::{Describe, Text, name, text};
 use crossterm::event::KeyCode;
@@ -69,6 +69,10 @@ pub(super) fn write_to(state: &mut State, path: PathBuf) {
         }
         (_, "csv") => numbers.map(|numbers| (numbers, None)),
         (None, _) => Err(text!("say-no-picture")),
+        (Some(figure), "dxf") => {
+            let drawn = dxf::write(std::slice::from_ref(figure), state.language());
+            drawn.and_then(|drawn| numbers.map(|numbers| (drawn.into_bytes(), Some(numbers))))
+        }
         (Some(figure), _) => {
             let (svg, size) = svg::sheet(std::slice::from_ref(figure), 1, PAGE, state.language());
             let picture = picture(svg, &path, size);

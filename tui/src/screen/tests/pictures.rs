@@ -66,7 +66,7 @@ fn a_request_without_a_meaning_is_refused_in_words() {
         refused(PictureArgs { show: Some("nothing".into()), ..request("forces") }, "x.svg")
             .contains("nothing")
     );
-    assert!(refused(request("curves"), "x.pdf").contains(".svg or .png"));
+    assert!(refused(request("curves"), "x.pdf").contains(".svg, .png or .dxf"));
     assert!(refused(PictureArgs { animate: true, ..request("mechanism") }, "x.png").contains("SVG"));
 }
 

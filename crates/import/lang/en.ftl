@@ -1,0 +1,17 @@
+import-sort = importer
+import-ending = a file that ends in { $ending }
+import-prefix = text that begins with { $prefix }
+import-format = { $name } ({ $signs })
+import-unknown = no registered importer knows what this is; there are: { $formats }. Name one with --format
+import-not-finite = a number of `{ $of }` is not finite or too large; correct the drawing
+import-nothing-moves = nothing in the drawing moves: no link is left that is not fixed to the ground.
+import-head = Imported from a drawing by `assur import` (format { $format }); numbers are in SI.
+import-lost = NOT IN THE SCENE: { $what }
+import-loose = Links that only one joint holds are left out, nothing depends on them: { $links }.
+import-fixed-link = A link with two fixed joints is a part of the ground: { $links }.
+import-other-mechanism = the drawing has other mechanisms beside this one; a scene holds one. Links of the others: { $links }.
+import-no-input = the drawing has no input; the first link that is pinned to the ground was taken: `{ $link }`.
+import-no-crank = the drawing has no input, and no link that is pinned to the ground: write `[input]`.
+import-too-large = the drawing has { $count } links or joints; at most { $most } are read
+import-inputs-gone = inputs of the links that are left out: { $count }.
+import-forces-gone = forces on the links that are left out: { $count }.

@@ -1,0 +1,14 @@
+import-pmks = links of PMKS+, the Planar Mechanism Kinematic Simulator
+    .source = sources of the program (GitHub, PMKS-Web/PMKSWeb)
+import-pmks-empty = this is no link to a mechanism: nothing stands behind the question mark; copy the whole link with "Copy URL"
+import-pmks-not-whole = the link is not whole: its last character says another length than the { $count } characters before it; copy the whole link again, in quotes on the command line
+import-pmks-number = `{ $found }` in `{ $of }` is no number of PMKS+ (digits 0-9, A-Z, a-z, _ and -); copy the link again
+import-pmks-no-joint = the link `{ $link }` has a joint `{ $joint }` that is not in the drawing; copy the link again
+import-pmks-units = Units of the drawing: length { $length }, force { $force }, mass kg, inertia kg times the unit of length squared.
+import-pmks-guide = the guide { $joint }: it joins { $count } parts, two are needed.
+import-pmks-input = the input at { $joint }: no links that it could drive are joined to it.
+import-pmks-range = The drawing tells no range of the sliding input { $joint }: a tenth of the size of the drawing was taken, correct `to`; its speed is in the drawing's unit of length a second.
+import-pmks-force = the force { $force }: its link `{ $link }` is not in the drawing.
+import-pmks-no-gravity = Weights are off in the drawing; write `gravity` for them.
+import-pmks-welded = The joint { $joint } is welded: the links that it joins are one.
+import-pmks-looks = Left out: colors, shown curves, grid, the frame of the animation and what was selected.
