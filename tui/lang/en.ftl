@@ -246,6 +246,7 @@ config-panels = views beside the chosen one from 120 columns, as many as there i
 screen-too-small = needs { $width } x { $height }, has { $columns } x { $rows }
 config-fault = The configuration could not be used; the defaults apply. Press any key.
 no-analysis = no analysis: { $reason }
+failure-more = more: { $key }
 advice-reread = Then { $key } reads it again.
 forces-by-cause = by cause: { $reaction } (Up/Down: another pair)
 forces-cause = cause

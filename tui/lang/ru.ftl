@@ -221,6 +221,7 @@ overwrite = { $file } уже есть: заменить? y / n
 screen-too-small = нужно { $width } x { $height }, есть { $columns } x { $rows }
 config-fault = Настройки не удалось использовать; действуют исходные. Нажмите любую клавишу.
 no-analysis = анализа нет: { $reason }
+failure-more = подробнее: { $key }
 advice-reread = Затем { $key } прочитает её снова.
 forces-by-cause = по причинам: { $reaction } (Up/Down: другая пара)
 forces-cause = причина

@@ -218,6 +218,7 @@ overwrite = { $file } вже є: замінити? y / n
 screen-too-small = потрібно { $width } x { $height }, є { $columns } x { $rows }
 config-fault = Налаштування не вдалося використати; діють типові. Натисніть будь-яку клавішу.
 no-analysis = аналізу немає: { $reason }
+failure-more = докладніше: { $key }
 advice-reread = Потім { $key } прочитає її знову.
 forces-by-cause = за причинами: { $reaction } (Up/Down: інша пара)
 forces-cause = причина

@@ -74,11 +74,13 @@ places-heading = drive with its flywheel on either shaft
 regime-reduced = reduced to { $point }: F { $force }, m { $mass }
 motion-none = no [motion] in the scene, so only J and Q; add it, with speed = "60 rpm"
 plans-no-construction = no method with a construction fits here
+plans-no-force = No force acts on these links here: their loads are moments that balance each other, or there are none, so the reactions are zero and there is no polygon.
 plans-step = { $construction }, step { $step }
 plans-more = and { $count } more, in the list of the plan
 say-misses = no assembly: misses by { $gap } in { $place }; { $group }
 say-no-assembly = no assembly: { $reason }
 say-misses-beyond = no assembly: misses by { $gap } in { $place }; { $group }; it exists from { $from } to { $to }
+say-barely = almost a change point: links in line
 reduction-mechanism = the mechanism
 reduction-model = disc: M = { $moment }, J = { $inertia }
 reduction-with-flywheel = { $told } (with flywheel and rotor)

@@ -74,11 +74,13 @@ places-heading = привод с маховиком в двух местах
 regime-reduced = приведено к { $point }: F { $force }, m { $mass }
 motion-none = в сцене нет [motion], поэтому только J и Q; добавьте его, со speed = "60 rpm"
 plans-no-construction = здесь не подходит ни один метод с построением
+plans-no-force = Здесь на эти звенья не действует ни одна сила: их нагрузки — моменты, которые уравновешиваются, или их нет; поэтому реакции нулевые, и плана сил нет.
 plans-step = { $construction }, шаг { $step }
 plans-more = и ещё { $count }, в списке плана
 say-misses = механизм не собирается: не хватает { $gap }, { $place }; { $group }
 say-no-assembly = механизм не собирается: { $reason }
 say-misses-beyond = механизм не собирается: не хватает { $gap }, { $place }; { $group }; собирается от { $from } до { $to }
+say-barely = почти точка перемены: звенья на одной прямой
 reduction-mechanism = механизм
 reduction-model = диск: M = { $moment }, J = { $inertia }
 reduction-with-flywheel = { $told } (с маховиком и ротором)

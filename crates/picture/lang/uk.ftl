@@ -74,11 +74,13 @@ places-heading = привод із маховиком у двох місцях
 regime-reduced = зведено до { $point }: F { $force }, m { $mass }
 motion-none = у сцені немає [motion], тому лише J і Q; додайте його, зі speed = "60 rpm"
 plans-no-construction = тут не підходить жоден метод із побудовою
+plans-no-force = Тут на ці ланки не діє жодна сила: їхні навантаження — моменти, що зрівноважуються, або їх немає; тому реакції нульові, і плану сил немає.
 plans-step = { $construction }, крок { $step }
 plans-more = і ще { $count }, у списку плану
 say-misses = механізм не складається: бракує { $gap }, { $place }; { $group }
 say-no-assembly = механізм не складається: { $reason }
 say-misses-beyond = механізм не складається: бракує { $gap }, { $place }; { $group }; складається від { $from } до { $to }
+say-barely = майже точка зміни: ланки на одній прямій
 reduction-mechanism = механізм
 reduction-model = диск: M = { $moment }, J = { $inertia }
 reduction-with-flywheel = { $told } (з маховиком і ротором)

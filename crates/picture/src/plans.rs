@@ -49,7 +49,10 @@ pub fn shown<'a>(found: &Found, look: &Look<'_>, part: ViewPart, plans: &'a Plan
         _ if !has_forces(found, look.position) => None,
         _ => sheet.polygons.get(look.polygon.min(sheet.polygons.len().saturating_sub(1))),
     };
+    let is_of_forces = !matches!(part, ViewPart::Velocities | ViewPart::Accelerations);
     match plan {
+        // A mechanism at rest has plans of velocities, which are points.
+        Some(plan) if is_of_forces && labelled(part, plan).is_empty() => nothing(text!("plans-no-force")),
         Some(plan) => Shown::Plan(plan),
         None if found.reactions.is_empty() => Shown::Nothing(None),
         None => nothing(text!("forces-not-determined")),

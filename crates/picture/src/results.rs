@@ -7,18 +7,21 @@ use std::sync::Arc;
 use assur_analysis::results::{Column, Edges, Owner, Quantity, Schema, Table};
 use assur_analysis::{AnalysisError, Calculation, Options, plan, unwatched};
 use assur_book::{Course, Node, catalogue};
-use assur_figure::number::plain;
+use assur_figure::number::{plain, trimmed};
 use assur_force::LoadState;
 use assur_group::{GroupError, Order};
 use assur_kinematics::{Linkage, Modes, Position, PositionError};
 use assur_mechanism::{GROUND, PointId};
-use assur_words::{Describe, Text, millimeters, number, quantity, text};
+use assur_words::{Describe, Text, joined, number, quantity, text};
 
 use crate::arrows::Arrow;
 use crate::{Arrows, Found, Outline, Series, Transfer, coordinate_unit};
 
 /// The vectors of all positions: of which kinds, whether of one position alone, whether with the results of the analysis.
 type KeptArrows = HashMap<(Arrows, bool, bool), Arc<[Arrow]>>;
+
+/// A group that misses by no more than this part of the mechanism's size is at a change point but for rounding of the lengths.
+const BARELY: f64 = 1e-6;
 
 /// What was calculated of a scene.
 #[derive(Debug)]
@@ -137,6 +140,12 @@ impl Results {
             (!modes.all.is_empty()).then(|| Arc::new(modes))
         };
         self.modes.borrow_mut().entry([group, position]).or_insert_with(list).clone()
+    }
+
+    /// Why a position can't be assembled; of one that can, why the first lost one can't.
+    pub fn lost(&self, position: usize) -> Option<&Text> {
+        let broken = self.broken.get(&position).or_else(|| self.broken.values().next())?;
+        Some(&broken.why)
     }
 
     /// The names of the groups.
@@ -272,13 +281,15 @@ fn failure(linkage: &Linkage, index: usize, error: &PositionError) -> Text {
     let (unit, factor) = coordinate_unit(linkage);
     let at = quantity(plain(factor * error.coordinate), unit);
     let place = text!("position-at", position = number(index), at = at);
-    let gap = millimeters(gap_m, 4);
-    let group = linkage.structure.group_name(&linkage.mechanism, error.group);
-    match linkage.range.filter(|range| !range.full) {
+    let gap = quantity(trimmed(1e3 * gap_m, 4), "mm");
+    let group = linkage.structure.group_name(&linkage.mechanism, error.group).short();
+    let told = match linkage.range.filter(|range| !range.full) {
         Some(range) => {
             let [from, to] = [range.low, range.high].map(|end| quantity(plain(factor * end), unit));
             text!("say-misses-beyond", gap = gap, place = place, group = group, from = from, to = to)
         }
         None => text!("say-misses", gap = gap, place = place, group = group),
-    }
+    };
+    let barely = gap_m <= BARELY * linkage.structure.scale;
+    joined("; ", std::iter::once(told).chain(barely.then(|| text!("say-barely"))))
 }

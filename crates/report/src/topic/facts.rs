@@ -8,7 +8,7 @@ use assur_mechanism::GROUND;
 use assur_motor::FlywheelSize;
 use assur_words::{Text, count, joined, list, name, number, text};
 
-use super::{drive::flywheel_shaft, forces::force, regime};
+use super::{drive::flywheel_shaft, forces::force, friction::facts as friction_facts, regime};
 
 /// What a group of facts is about.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -31,6 +31,7 @@ pub fn results(analysis: &Analysis, linkage: &Linkage) -> Vec<(About, Fact)> {
     let of_forces = if is_over_time(analysis) { Unit::SECOND } else { place };
     let mut forces = reactions(analysis, linkage, of_forces);
     forces.extend(balancing(analysis, linkage, of_forces));
+    forces.extend(analysis.friction.iter().flat_map(|cycle| friction_facts(cycle, place)));
     let main = [
         "fact-mean-speed",
         "fact-unevenness",

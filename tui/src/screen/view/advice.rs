@@ -23,7 +23,8 @@ pub(super) fn rows(text: &str, width: usize) -> Vec<String> {
 
 pub(super) fn text(state: &State, scene: &Scene, view: View) -> Text {
     if let Some(fault) = &scene.fault {
-        return text!("no-analysis", reason = fault);
+        let lost = scene.lost(state.position).cloned();
+        return joined("\n\n", lost.into_iter().chain([text!("no-analysis", reason = fault)]));
     }
     if let Some(running) = state.analyzing() {
         return calculating(state, running);
