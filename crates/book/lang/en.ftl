@@ -56,4 +56,5 @@ fact-quantity = Quantity
 fact-value = Value
 fact-unit = Unit
 fact-place = At
+fact-constant = constant
 fact-range = { $least } to { $most }

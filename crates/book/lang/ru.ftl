@@ -57,4 +57,5 @@ fact-quantity = Величина
 fact-value = Значение
 fact-unit = Единица
 fact-place = Где
+fact-constant = постоянно
 fact-range = от { $least } до { $most }

@@ -57,4 +57,5 @@ fact-quantity = Величина
 fact-value = Значення
 fact-unit = Одиниця
 fact-place = Де
+fact-constant = стале
 fact-range = від { $least } до { $most }

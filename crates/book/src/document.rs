@@ -121,6 +121,8 @@ pub struct Fact {
     pub at: Vec<f64>,
     /// Their unit.
     pub at_unit: Unit,
+    /// Whether the value is the same everywhere.
+    pub is_constant: bool,
     /// The quantity of the results whose value it is, if it is one.
     pub column: Option<Quantity>,
 }
@@ -140,7 +142,16 @@ impl Fact {
     /// A fact that is a text.
     pub fn text(id: &'static str, value: Text) -> Self {
         let (value, unit) = (Value::Text(value), Unit::NONE);
-        Self { id, of: Vec::new(), value, unit, at: Vec::new(), at_unit: unit, column: None }
+        Self {
+            id,
+            of: Vec::new(),
+            value,
+            unit,
+            at: Vec::new(),
+            at_unit: unit,
+            is_constant: false,
+            column: None,
+        }
     }
 
     /// A number in SI.
@@ -164,6 +175,12 @@ impl Fact {
     #[must_use]
     pub fn at(self, at: &[f64], at_unit: Unit) -> Self {
         Self { at: at.to_vec(), at_unit, ..self }
+    }
+
+    /// The same, of a value that has no place if it is the same everywhere.
+    #[must_use]
+    pub fn constant(self, is_constant: bool) -> Self {
+        Self { is_constant, at: if is_constant { Vec::new() } else { self.at }, ..self }
     }
 
     /// The quantity of the results whose value it is.
@@ -207,13 +224,17 @@ impl Fact {
 
     /// Where it occurs; empty where it belongs to the whole motion.
     pub fn place(&self) -> Text {
-        if self.at.is_empty() { Text::default() } else { self.at_unit.show_all(&self.at) }
+        match (self.is_constant, &self.at[..]) {
+            (true, _) => text!("fact-constant"),
+            (_, []) => Text::default(),
+            (_, at) => self.at_unit.show_all(at),
+        }
     }
 }
 
 /// Facts as a table: quantity, value, unit and place; what every row lacks is left out.
 fn table_of(caption: Text, facts: &[Fact]) -> Table {
-    let has_place = facts.iter().any(|fact| !fact.at.is_empty());
+    let has_place = facts.iter().any(|fact| !fact.place().is_empty());
     let heads = [text!("fact-quantity"), text!("fact-value"), text!("fact-unit"), text!("fact-place")];
     let heads = heads.into_iter().take(if has_place { 4 } else { 3 });
     let row = |fact: &Fact| [fact.what(), fact.value(), unit(fact.unit.name), fact.place()].map(Cell::Text);

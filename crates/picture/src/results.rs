@@ -12,7 +12,7 @@ use assur_force::LoadState;
 use assur_group::{GroupError, Order};
 use assur_kinematics::{Linkage, Modes, Position, PositionError};
 use assur_mechanism::{GROUND, PointId};
-use assur_words::{Describe, Text, joined, number, quantity, text};
+use assur_words::{Describe, Text, number, quantity, text};
 
 use crate::arrows::Arrow;
 use crate::{Arrows, Found, Outline, Series, Transfer, coordinate_unit};
@@ -59,6 +59,8 @@ pub struct Broken {
     pub pose: Position,
     /// The first group that has none.
     pub group: usize,
+    /// Whether the gap is rounding of the lengths: modes of the group meet there.
+    pub is_change_point: bool,
 }
 
 impl Results {
@@ -143,9 +145,8 @@ impl Results {
     }
 
     /// Why a position can't be assembled; of one that can, why the first lost one can't.
-    pub fn lost(&self, position: usize) -> Option<&Text> {
-        let broken = self.broken.get(&position).or_else(|| self.broken.values().next())?;
-        Some(&broken.why)
+    pub fn lost(&self, position: usize) -> Option<&Broken> {
+        self.broken.get(&position).or_else(|| self.broken.values().next())
     }
 
     /// The names of the groups.
@@ -270,7 +271,9 @@ fn broken(linkage: &Linkage, index: usize) -> Option<Broken> {
     let groups = &linkage.structure.groups;
     let group = groups.iter().position(|group| !group.frame.links.iter().all(placed)).unwrap_or(error.group);
     let why = failure(linkage, index, &error);
-    Some(Broken { why, pose, group: group.min(error.group) })
+    let limit = BARELY * linkage.structure.scale;
+    let is_change_point = matches!(error.source, GroupError::NoAssembly { gap_m } if gap_m <= limit);
+    Some(Broken { why, pose, group: group.min(error.group), is_change_point })
 }
 
 /// Why a position does not exist, the most important first: what, by how much, where.
@@ -283,13 +286,11 @@ fn failure(linkage: &Linkage, index: usize, error: &PositionError) -> Text {
     let place = text!("position-at", position = number(index), at = at);
     let gap = quantity(trimmed(1e3 * gap_m, 4), "mm");
     let group = linkage.structure.group_name(&linkage.mechanism, error.group).short();
-    let told = match linkage.range.filter(|range| !range.full) {
+    match linkage.range.filter(|range| !range.full) {
         Some(range) => {
             let [from, to] = [range.low, range.high].map(|end| quantity(plain(factor * end), unit));
             text!("say-misses-beyond", gap = gap, place = place, group = group, from = from, to = to)
         }
         None => text!("say-misses", gap = gap, place = place, group = group),
-    };
-    let barely = gap_m <= BARELY * linkage.structure.scale;
-    joined("; ", std::iter::once(told).chain(barely.then(|| text!("say-barely"))))
+    }
 }

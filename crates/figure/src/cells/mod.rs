@@ -202,7 +202,7 @@ const DRAWING: u16 = 3;
 
 /// The heading of a panel in rows of at most this many columns, broken where two spaces part what it names, or else between words;
 /// of `rows` rows it leaves enough to the drawing.
-fn heading(title: &str, width: u16, rows: u16) -> Vec<String> {
+fn heading(title: &str, value: &str, width: u16, rows: u16) -> Vec<String> {
     let most = usize::from(rows.saturating_sub(DRAWING).clamp(1, HEADING));
     let width = usize::from(width);
     let mut lines: Vec<String> = Vec::new();
@@ -219,11 +219,31 @@ fn heading(title: &str, width: u16, rows: u16) -> Vec<String> {
             }
         }
     }
+    // The value stands behind all names, in whose place it is never cut.
+    let (value, gap) = (value.trim(), if value.is_empty() { 0 } else { 2 });
+    let room = width.saturating_sub(value.width() + gap);
+    if lines.len() < most && lines.last().is_some_and(|line| line.width() > room) && gap > 0 {
+        lines.push(String::new());
+    }
     let rest = lines.split_off(lines.len().min(most));
-    if let Some(last) = lines.last_mut().filter(|_| !rest.is_empty()) {
-        *last = cut(&format!("{last}  {}", rest.join("  ")), width);
+    if let Some(last) = lines.last_mut() {
+        let all = std::iter::once(&*last).chain(&rest).filter(|line| !line.is_empty());
+        let names = shortened(&all.map(String::as_str).collect::<Vec<_>>().join("  "), room);
+        *last = [&names, value].into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join("  ");
     }
     lines.iter().map(|line| cut(line, width)).collect()
+}
+
+/// Names parted by two spaces in so many columns: the longest one behind the first is shortened, so that each is still seen.
+fn shortened(names: &str, width: usize) -> String {
+    /// Fewest columns of a shortened name.
+    const FEWEST: usize = 8;
+    let excess = names.width().saturating_sub(width);
+    let mut all: Vec<String> = names.split("  ").map(str::to_owned).collect();
+    if let Some(longest) = all.iter_mut().skip(1).max_by_key(|name| name.width()).filter(|_| excess > 0) {
+        *longest = cut(longest, longest.width().saturating_sub(excess).max(FEWEST));
+    }
+    cut(&all.join("  "), width)
 }
 
 fn headed(lines: Vec<String>, column: u16) -> impl Iterator<Item = Spot> {

@@ -1,7 +1,7 @@
 //! The results that are asked for first: structure, strokes, greatest loads, the drive, whether the checks hold.
 
-use assur_analysis::results::{Analysis, Column, Owner, Part, Quantity, Turn};
-use assur_book::{Fact, ROUNDING, Unit, catalogue};
+use assur_analysis::results::{Analysis, Column, Owner, Part, Quantity, Table, Turn};
+use assur_book::{Fact, ROUNDING, Unit, Value, catalogue};
 use assur_geometry::{CrankCondition, crank_conditions, overview};
 use assur_kinematics::Linkage;
 use assur_mechanism::GROUND;
@@ -9,6 +9,9 @@ use assur_motor::FlywheelSize;
 use assur_words::{Text, count, joined, list, name, number, text};
 
 use super::{drive::flywheel_shaft, forces::force, friction::facts as friction_facts, regime};
+
+/// Relative size of a change that is rounding.
+const CONSTANT: f64 = 1e-9;
 
 /// What a group of facts is about.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -31,7 +34,8 @@ pub fn results(analysis: &Analysis, linkage: &Linkage) -> Vec<(About, Fact)> {
     let of_forces = if is_over_time(analysis) { Unit::SECOND } else { place };
     let mut forces = reactions(analysis, linkage, of_forces);
     forces.extend(balancing(analysis, linkage, of_forces));
-    forces.extend(analysis.friction.iter().flat_map(|cycle| friction_facts(cycle, place)));
+    let of_friction = analysis.friction.iter().flat_map(|cycle| friction_facts(cycle, place));
+    forces.extend(of_friction.map(|fact| extent(fact, place)));
     let main = [
         "fact-mean-speed",
         "fact-unevenness",
@@ -50,6 +54,7 @@ pub fn results(analysis: &Analysis, linkage: &Linkage) -> Vec<(About, Fact)> {
     let all = [
         (About::Structure, structure(analysis)),
         (About::Structure, cranks(linkage)),
+        (About::Structure, change_points(linkage, place).into_iter().collect()),
         (About::Checks, lost(analysis, linkage)),
         (About::Motion, motion(analysis, linkage, place)),
         (About::Forces, forces),
@@ -106,6 +111,14 @@ fn cranks(linkage: &Linkage) -> Vec<Fact> {
     crank_conditions(&linkage.mechanism).into_iter().map(fact).collect()
 }
 
+/// Where two modes of a group meet.
+fn change_points(linkage: &Linkage, place: Unit) -> Option<Fact> {
+    let mut at: Vec<f64> = linkage.change_points().map(|point| point.coordinate).collect();
+    at.sort_by(f64::total_cmp);
+    at.dedup_by(|one, other| (*one - *other).abs() <= CONSTANT * linkage.structure.scale.max(1.0));
+    (!at.is_empty()).then(|| Fact::text("fact-change-points", count(at.len())).at(&at, place))
+}
+
 fn end_of_motion(analysis: &Analysis) -> Vec<Fact> {
     let angular = analysis.input.angular;
     let facts = analysis.integration.as_ref().map(|found| {
@@ -121,15 +134,35 @@ fn end_of_motion(analysis: &Analysis) -> Vec<Fact> {
 /// kept, or at the samples of a motion over time.
 fn farthest(analysis: &Analysis, column: Column) -> Option<Turn> {
     analysis.peaks.of(column).filter(|_| !is_over_time(analysis)).or_else(|| {
-        let (table, over) = if is_over_time(analysis) {
-            (&analysis.trajectory, Column::TIME)
-        } else {
-            (&analysis.positions, Column::COORDINATE)
-        };
+        let (table, over) = rows(analysis);
         let value = |row| Some(Turn::at(table.get(row, over)?, table.get(row, column)?));
         let found: Vec<Turn> = (0..table.len()).filter_map(value).collect();
         Turn::statistic(&found).farthest().map(|best| found[best.number])
     })
+}
+
+/// Whether a quantity with this extreme is the same everywhere.
+fn is_constant(analysis: &Analysis, column: Column, turn: Turn) -> bool {
+    let (table, _) = rows(analysis);
+    let apart = |row| (table.get(row, column).unwrap_or(f64::NAN) - turn.value).abs();
+    table.len() > 1 && (0..table.len()).all(|row| apart(row) <= CONSTANT * turn.value.abs())
+}
+
+/// The table over which a quantity reaches its extremes, and the column of their places.
+fn rows(analysis: &Analysis) -> (&Table, Column) {
+    if is_over_time(analysis) {
+        (&analysis.trajectory, Column::TIME)
+    } else {
+        (&analysis.positions, Column::COORDINATE)
+    }
+}
+
+/// A part of the cycle by its length, at its ends.
+fn extent(fact: Fact, place: Unit) -> Fact {
+    match fact.value {
+        Value::Range([from, to]) => Fact { value: Value::Number(to - from), ..fact }.at(&[from, to], place),
+        _ => fact,
+    }
 }
 
 /// An extreme with its place; one that is not finite grows without limit towards that place.
@@ -161,7 +194,9 @@ fn motion(analysis: &Analysis, linkage: &Linkage, place: Unit) -> Vec<Fact> {
         let speed = Column::of(Quantity::Velocity, owner);
         facts.push(if let Some(turn) = farthest(analysis, speed) {
             let unit = Unit::rates(!is_slide)[0];
-            of(extreme("fact-fastest", turn, unit, place)).about(speed)
+            of(extreme("fact-fastest", turn, unit, place))
+                .constant(is_constant(analysis, speed, turn))
+                .about(speed)
         } else {
             let [value, at] =
                 if pf1.max.abs() >= pf1.min.abs() { [pf1.max, pf1.at_max] } else { [pf1.min, pf1.at_min] };
@@ -172,7 +207,8 @@ fn motion(analysis: &Analysis, linkage: &Linkage, place: Unit) -> Vec<Fact> {
     }
     facts.extend(found.transmission.map(|(group, angle, at)| {
         let fact = Fact::number("fact-transmission", angle, Unit::ANGLE).of("group", number(group + 1));
-        fact.at(&[at], place).about(Column::of(Quantity::Condition, Owner::Group(group)))
+        let fact = fact.at(&[at], place).constant(found.constant_transmission);
+        fact.about(Column::of(Quantity::Condition, Owner::Group(group)))
     }));
     facts
 }
@@ -222,7 +258,8 @@ fn reactions(analysis: &Analysis, linkage: &Linkage, place: Unit) -> Vec<Fact> {
         let of_pair = |id: &'static str, column: Column, unit: Unit| {
             let lever = if unit == Unit::MOMENT { linkage.structure.scale } else { 1.0 };
             let turn = farthest(analysis, column).filter(|turn| turn.value.abs() > floor * lever)?;
-            Some(extreme(id, turn, unit, place).of("pair", named(Owner::Pair(pair))).about(column))
+            let fact = extreme(id, turn, unit, place).of("pair", named(Owner::Pair(pair)));
+            Some(fact.constant(is_constant(analysis, column, turn)).about(column))
         };
         for &(_, link) in links {
             let column = force(pair, link).part(Part::Modulus);
@@ -236,9 +273,13 @@ fn reactions(analysis: &Analysis, linkage: &Linkage, place: Unit) -> Vec<Fact> {
 }
 
 fn balancing(analysis: &Analysis, linkage: &Linkage, place: Unit) -> Vec<Fact> {
-    let Some(turn) = farthest(analysis, Column::BALANCING).filter(|turn| turn.value != 0.0) else {
-        return Vec::new();
-    };
+    let (table, _) = rows(analysis);
+    let reduced = table.schema().owners(Quantity::ReducedLoad).into_iter();
+    let reduced = reduced.filter_map(|owner| farthest(analysis, Column::of(Quantity::ReducedLoad, owner)));
+    // Beside the loads that it balances it may be rounding.
+    let floor = ROUNDING * reduced.fold(0.0, |most: f64, turn| most.max(turn.value.abs()));
+    let turn = farthest(analysis, Column::BALANCING).filter(|turn| turn.value.abs() > floor);
+    let Some(turn) = turn else { return Vec::new() };
     let is_moment = analysis.input.balancing_is_moment;
     let unit = Unit::load(is_moment);
     let ids = if is_moment {
@@ -246,7 +287,8 @@ fn balancing(analysis: &Analysis, linkage: &Linkage, place: Unit) -> Vec<Fact> {
     } else {
         ["fact-greatest-balancing-force", "fact-mean-balancing-force", "fact-rms-balancing-force"]
     };
-    let mut facts = vec![extreme(ids[0], turn, unit, place).about(Column::BALANCING)];
+    let is_constant = is_constant(analysis, Column::BALANCING, turn);
+    let mut facts = vec![extreme(ids[0], turn, unit, place).constant(is_constant).about(Column::BALANCING)];
     // The mean moment of a regime is that of its works.
     let means = analysis.peaks.balancing.filter(|_| linkage.mechanism.balance.is_none());
     let means = means.filter(|_| analysis.dynamics.is_none());

@@ -23,8 +23,10 @@ pub(super) fn rows(text: &str, width: usize) -> Vec<String> {
 
 pub(super) fn text(state: &State, scene: &Scene, view: View) -> Text {
     if let Some(fault) = &scene.fault {
-        let lost = scene.lost(state.position).cloned();
-        return joined("\n\n", lost.into_iter().chain([text!("no-analysis", reason = fault)]));
+        let lost = scene.lost(state.position);
+        let barely = lost.filter(|lost| lost.is_change_point).map(|_| text!("failure-barely"));
+        let lost = lost.map(|lost| lost.why.clone()).into_iter().chain(barely);
+        return joined("\n\n", lost.chain([text!("no-analysis", reason = fault)]));
     }
     if let Some(running) = state.analyzing() {
         return calculating(state, running);

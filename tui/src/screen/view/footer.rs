@@ -74,7 +74,7 @@ fn failure(state: &State) -> Option<Text> {
     let Some(lost) = scene.lost(state.position) else { return scene.verdict.messages().next().cloned() };
     let more = scene.fault.is_some() && state.view != View::Results;
     let more = more.then(|| text!("failure-more", key = name(state.keys.first("results"))));
-    Some(joined("; ", std::iter::once(lost.clone()).chain(more)))
+    Some(joined("; ", std::iter::once(lost.why.clone()).chain(more)))
 }
 
 /// The keys of this view, in both rows where nothing else is said; the keys of the program stand at the right.

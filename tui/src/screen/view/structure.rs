@@ -69,6 +69,9 @@ fn events(pen: &mut Pen<'_>, scene: &Scene, area: Rect) {
     let unit = Unit::place(scene.linkage.angular());
     let lines = page::told(state, area.width.saturating_sub(2), |page| {
         topic::list_of_events(&found.events, unit, page);
+        if !found.linkage.mechanism.input.is_cycle() {
+            page.paragraph(text!("events-of-turn"));
+        }
         if found.analysis.friction.as_ref().is_some_and(|friction| friction.dead_angles.is_empty()) {
             page.paragraph(text!("events-no-dead-angle"));
         }
