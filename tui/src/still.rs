@@ -3,7 +3,7 @@
 use std::ops::Range;
 use std::path::Path;
 
-use assur_figure::{Bounds, Figure, Frame, Page, one_scale, svg};
+use assur_figure::{Figure, Page, one_scale, svg};
 use assur_picture::{Arrows, Look, Picture, Results, ViewPart, find};
 use assur_png as png;
 use assur_scene::nearest;
@@ -203,29 +203,14 @@ fn animated(
     language: &'static Language,
 ) -> Result<Vec<u8>, StillError> {
     let title = name(results.linkage.mechanism.title.clone());
-    // A text stands still: what has other numbers in each frame is left out.
-    let still = |figure: Figure| match look.arrows {
-        Arrows::Loads | Arrows::Reactions => Figure { legend: Vec::new(), ..figure },
-        _ => figure,
-    };
-    let frame = |position| Ok(Figure { title: title.clone(), ..still(of(&Look { position, ..*look })?) });
+    let frame = |position| Ok(Figure { title: title.clone(), ..of(&Look { position, ..*look })? });
     let frames = results.frames().map(frame);
-    let frames = to_one_place(frames.collect::<Result<Vec<_>, StillError>>()?);
-    Ok(svg::animate(&frames, page, TURN, language).0.into_bytes())
-}
-
-/// The frames of an animation: each of their planes has the place that all of them need, so that neither scale nor origin moves.
-fn to_one_place(mut frames: Vec<Figure>) -> Vec<Figure> {
-    for panel in 0..frames.first().map_or(0, |figure| figure.panels.len()) {
-        let planes = frames.iter_mut().filter_map(|figure| match &mut figure.panels.get_mut(panel)?.frame {
-            Frame::Plane { bounds, .. } => Some(bounds),
-            Frame::Axes { .. } => None,
-        });
-        let mut planes: Vec<&mut Bounds> = planes.collect();
-        let all = Bounds::around(planes.iter().flat_map(|own| [own.low, own.high]));
-        planes.iter_mut().for_each(|own| **own = all);
+    let mut frames = to_one_scale(frames.collect::<Result<Vec<_>, StillError>>()?);
+    // A text stands still: what has other numbers in each frame is left out.
+    if frames.windows(2).any(|two| two[0].legend != two[1].legend) {
+        frames.iter_mut().for_each(|frame| frame.legend.clear());
     }
-    frames
+    Ok(svg::animate(&frames, page, TURN, language).0.into_bytes())
 }
 
 /// The same figure of several positions: each of its panels has one scale in all.

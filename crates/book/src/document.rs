@@ -177,10 +177,10 @@ impl Fact {
         Self { at: at.to_vec(), at_unit, ..self }
     }
 
-    /// The same, of a value that has no place if it is the same everywhere.
+    /// Whether the value is the same everywhere.
     #[must_use]
     pub fn constant(self, is_constant: bool) -> Self {
-        Self { is_constant, at: if is_constant { Vec::new() } else { self.at }, ..self }
+        Self { is_constant, ..self }
     }
 
     /// The quantity of the results whose value it is.
@@ -234,7 +234,7 @@ impl Fact {
 
 /// Facts as a table: quantity, value, unit and place; what every row lacks is left out.
 fn table_of(caption: Text, facts: &[Fact]) -> Table {
-    let has_place = facts.iter().any(|fact| !fact.place().is_empty());
+    let has_place = facts.iter().any(|fact| !fact.at.is_empty());
     let heads = [text!("fact-quantity"), text!("fact-value"), text!("fact-unit"), text!("fact-place")];
     let heads = heads.into_iter().take(if has_place { 4 } else { 3 });
     let row = |fact: &Fact| [fact.what(), fact.value(), unit(fact.unit.name), fact.place()].map(Cell::Text);

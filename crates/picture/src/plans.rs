@@ -129,9 +129,10 @@ pub fn labelled(part: ViewPart, plan: &VectorPlan) -> Vec<(String, &PlanVector)>
 }
 
 pub(crate) fn panel_of_plan(part: ViewPart, plan: &VectorPlan) -> Panel {
-    let vectors = labelled(part, plan).into_iter().map(|(label, item)| {
+    let shown = labelled(part, plan);
+    let vectors = shown.iter().map(|(label, item)| {
         let ink = ink_of(part, item);
-        let name = if ink == Ink::Trace { Text::default() } else { name(label) };
+        let name = if ink == Ink::Trace { Text::default() } else { name(label.clone()) };
         (plots::arrow([item.start, item.end], &name, ink), name)
     });
     let (symbol, pole) = match part {
@@ -141,7 +142,8 @@ pub(crate) fn panel_of_plan(part: ViewPart, plan: &VectorPlan) -> Panel {
     };
     let mut panel = plots::vectors(vectors.collect(), Scale::of(symbol, &plan.unit), pole);
     // The relative components of a plan of velocities or accelerations are named where there is room.
-    let components = plan.items.iter().filter(|item| pole.is_some() && ink_of(part, item) == Ink::Trace);
+    let components = shown.iter().map(|(_, item)| item);
+    let components = components.filter(|item| pole.is_some() && ink_of(part, item) == Ink::Trace);
     panel.items.extend(components.map(|item| Item::Name {
         at: [0, 1].map(|axis| 0.5 * (item.start[axis] + item.end[axis])),
         text: item.name.clone(),

@@ -17,14 +17,12 @@ pub(crate) fn draw(linkage: &Linkage, position: &Position, loads: &[Acting], bal
         let symbol = name(format!("F{}", number + 1));
         steps.extend(lever.load(load, VectorKind::Load, &symbol, &what));
     }
-    let size = |steps: &[ConstructionStep]| {
-        let forces = steps.iter().filter(|step| step.kind != VectorKind::Line && step.unit == "N");
-        forces.map(|step| length(step.vector)).fold(0.0, f64::max)
-    };
-    let found = lever.balance(balancing);
     // Beside the loads it may be rounding.
-    let is_zero = size(&found) <= ROUNDING * size(&steps);
-    steps.extend(if is_zero { lever.balance(0.0) } else { found });
+    let scale = linkage.structure.scale;
+    let moments =
+        loads.iter().map(|load| load.couple(lever.bodies).abs() + scale * length(load.wrench.force()));
+    let is_rounding = balancing.abs() <= ROUNDING * moments.fold(0.0, f64::max);
+    steps.extend(lever.balance(if is_rounding { 0.0 } else { balancing }));
     Construction { title: text!("force-lever-title"), corner: [0.0; 2], steps }
 }
 

@@ -150,7 +150,7 @@ impl Page {
         // Value and unit in one column: a page has no room for more.
         let heads = [text!("fact-quantity"), text!("fact-value"), text!("fact-place")].map(Column::of);
         let row = |fact: &&Fact| [fact.what(), fact.with_unit(), fact.place()].map(Cell::Text);
-        let has_place = short.iter().any(|fact| !fact.place().is_empty());
+        let has_place = short.iter().any(|fact| !fact.at.is_empty());
         let heads = heads.into_iter().take(if has_place { 3 } else { 2 });
         self.table(&Table::list(Text::default(), heads).rows(short.iter().map(row)));
     }

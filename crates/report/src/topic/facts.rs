@@ -165,12 +165,21 @@ fn extent(fact: Fact, place: Unit) -> Fact {
     }
 }
 
-/// An extreme with its place; one that is not finite grows without limit towards that place.
-fn extreme(id: &'static str, turn: Turn, unit: Unit, place: Unit) -> Fact {
-    if turn.value.is_finite() {
-        return Fact::number(id, turn.value, unit).at(&[turn.at], place);
-    }
-    Fact::text(id, text!("fact-unlimited", place = place.show_all(&[turn.at])))
+/// An extreme of a quantity with its place; one that is not finite grows without limit towards that place.
+fn extreme(
+    analysis: &Analysis,
+    id: &'static str,
+    column: Column,
+    turn: Turn,
+    [unit, place]: [Unit; 2],
+) -> Fact {
+    let fact = if turn.value.is_finite() {
+        let fact = Fact::number(id, turn.value, unit).at(&[turn.at], place);
+        fact.constant(is_constant(analysis, column, turn))
+    } else {
+        Fact::text(id, text!("fact-unlimited", place = place.show_all(&[turn.at])))
+    };
+    fact.about(column)
 }
 
 /// How far slides and links of the ground go, and how fast.
@@ -194,9 +203,7 @@ fn motion(analysis: &Analysis, linkage: &Linkage, place: Unit) -> Vec<Fact> {
         let speed = Column::of(Quantity::Velocity, owner);
         facts.push(if let Some(turn) = farthest(analysis, speed) {
             let unit = Unit::rates(!is_slide)[0];
-            of(extreme("fact-fastest", turn, unit, place))
-                .constant(is_constant(analysis, speed, turn))
-                .about(speed)
+            of(extreme(analysis, "fact-fastest", speed, turn, [unit, place]))
         } else {
             let [value, at] =
                 if pf1.max.abs() >= pf1.min.abs() { [pf1.max, pf1.at_max] } else { [pf1.min, pf1.at_min] };
@@ -236,7 +243,8 @@ fn travels(analysis: &Analysis, linkage: &Linkage, place: Unit) -> Vec<Fact> {
         } else if column.quantity == Quantity::Velocity
             && let Some(turn) = farthest(analysis, *column)
         {
-            facts.push(of(extreme("fact-fastest", turn, Unit::rates(is_angle)[0], place)));
+            let units = [Unit::rates(is_angle)[0], place];
+            facts.push(of(extreme(analysis, "fact-fastest", *column, turn, units)));
         }
     }
     facts
@@ -258,8 +266,8 @@ fn reactions(analysis: &Analysis, linkage: &Linkage, place: Unit) -> Vec<Fact> {
         let of_pair = |id: &'static str, column: Column, unit: Unit| {
             let lever = if unit == Unit::MOMENT { linkage.structure.scale } else { 1.0 };
             let turn = farthest(analysis, column).filter(|turn| turn.value.abs() > floor * lever)?;
-            let fact = extreme(id, turn, unit, place).of("pair", named(Owner::Pair(pair)));
-            Some(fact.constant(is_constant(analysis, column, turn)).about(column))
+            let fact = extreme(analysis, id, column, turn, [unit, place]);
+            Some(fact.of("pair", named(Owner::Pair(pair))))
         };
         for &(_, link) in links {
             let column = force(pair, link).part(Part::Modulus);
@@ -287,8 +295,7 @@ fn balancing(analysis: &Analysis, linkage: &Linkage, place: Unit) -> Vec<Fact> {
     } else {
         ["fact-greatest-balancing-force", "fact-mean-balancing-force", "fact-rms-balancing-force"]
     };
-    let is_constant = is_constant(analysis, Column::BALANCING, turn);
-    let mut facts = vec![extreme(ids[0], turn, unit, place).constant(is_constant).about(Column::BALANCING)];
+    let mut facts = vec![extreme(analysis, ids[0], Column::BALANCING, turn, [unit, place])];
     // The mean moment of a regime is that of its works.
     let means = analysis.peaks.balancing.filter(|_| linkage.mechanism.balance.is_none());
     let means = means.filter(|_| analysis.dynamics.is_none());
@@ -300,8 +307,8 @@ fn balancing(analysis: &Analysis, linkage: &Linkage, place: Unit) -> Vec<Fact> {
         facts.push(fact.about(Column::BALANCING));
     }
     let power = analysis.peaks.power.filter(|_| means.is_some());
-    let power = power.map(|turn| extreme("fact-greatest-power", turn, Unit::POWER, place));
-    facts.extend(power.map(|fact| fact.about(Column::BALANCING)));
+    let units = [Unit::POWER, place];
+    facts.extend(power.map(|turn| extreme(analysis, "fact-greatest-power", Column::BALANCING, turn, units)));
     facts
 }
 

@@ -9,7 +9,10 @@ use crate::screen::state::{
     FRAMES, PACES, Pictures, Purpose, Role, Source, State, View, ViewPart, Wanted, following, next_kind,
     round,
 };
-use crate::screen::view::{plans, report, room, structure, values_room};
+use crate::screen::view::{plans, report, room, structure};
+
+/// Rows of the list of values in the smallest terminal.
+const VALUES: isize = 6;
 
 /// An eighth of the positions forward or back.
 pub(super) fn jump(state: &mut State, sense: isize) {
@@ -140,19 +143,11 @@ pub(super) fn nearest(state: &mut State) {
     if state.part(View::Structure) == ViewPart::Events {
         return event(state);
     }
-    match least_health(state) {
-        Some(at) => state.go_to(at),
+    let least = state.scene.as_ref().and_then(|scene| scene.least_health(state.chosen.group));
+    match least {
+        Some((_, at)) => state.go_to(at),
         None => state.say(Role::Plain, text!("say-group-nowhere")),
     }
-}
-
-/// The position in which the chosen group is nearest to singular.
-fn least_health(state: &State) -> Option<usize> {
-    state.scene.as_ref()?.least_health(state.chosen.group).map(|(_, at)| at)
-}
-
-pub(super) fn has_nearest(state: &State) -> bool {
-    state.part(View::Structure) == ViewPart::Events || least_health(state).is_some()
 }
 
 fn event(state: &mut State) {
@@ -325,10 +320,7 @@ pub(super) fn motion(state: &mut State, by: isize) {
 
 pub(super) fn page(state: &mut State, sense: isize) {
     if state.values_open() {
-        let page = isize::try_from(values_room(state)).unwrap_or(isize::MAX);
-        let (chosen, count) = list(state, View::Values);
-        *chosen = chosen.saturating_add_signed(sense * page).min(count.saturating_sub(1));
-        return;
+        return choose(state, View::Values, sense * VALUES);
     }
     let page = isize::from(i16::try_from(report::page(state)).unwrap_or(i16::MAX));
     scroll(state, sense * (page - 1).max(1));

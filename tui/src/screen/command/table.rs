@@ -63,7 +63,7 @@ pub(crate) const COMMANDS: &[Command] = &[
     command("do-point-link", Choose, "Tab", &[Probe], probe::link),
     command("do-next-group", Choose, "Down j", &[Structure], |s| act::group(s, 1)),
     command("do-previous-group", Choose, "Up k", &[Structure], |s| act::group(s, -1)),
-    command("do-nearest", Choose, "Enter", &[Structure], act::nearest).only(act::has_nearest),
+    command("do-nearest", Choose, "Enter", &[Structure], act::nearest),
     command("do-next-mode", Choose, "]", &[Structure], |s| modes::show(s, 1)).only(modes::are_several),
     command("do-previous-mode", Choose, "[", &[Structure], |s| modes::show(s, -1)).only(modes::are_several),
     command("do-take-mode", Change, "A", &[Structure], modes::take).only(|s| s.mode_of(s.chosen.group).is_some()),

@@ -71,15 +71,15 @@ fn brief(value: &str) -> String {
     value.split(' ').map(short).collect::<Vec<_>>().join(" ")
 }
 
-/// `position 12 of 48  90.0000 deg`.
+/// `position 12 (0 to 47)  90.0000 deg`.
 fn position(state: &State, scene: &Scene) -> String {
     let (unit, factor) = coordinate_unit(&scene.linkage);
     let coordinate = digits(factor * scene.coordinate(state.position), 6);
     let playing = if state.playing { " >" } else { "" };
-    let [position, count] = [state.position, scene.positions()].map(number);
+    let [position, last] = [state.position, scene.positions().saturating_sub(1)].map(number);
     let position = state.told(match scene.time(state.position) {
-        Some(time) => text!("header-instant", number = position, count = count, time),
-        None => text!("header-position", number = position, count = count),
+        Some(time) => text!("header-instant", number = position, last = last, time),
+        None => text!("header-position", number = position, last = last),
     });
     format!("{position}  {}{playing}", state.told(quantity(coordinate, unit)))
 }

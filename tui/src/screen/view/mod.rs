@@ -109,12 +109,6 @@ pub(crate) fn areas(state: &State) -> Vec<(View, Rect)> {
     tiles(state, shared(state, body)[0])
 }
 
-/// Rows of the list of values below its title.
-pub(crate) fn values_room(state: &State) -> usize {
-    let body = parts(Rect::new(0, 0, state.size.0, state.size.1))[1];
-    usize::from(shared(state, body)[1].height.saturating_sub(1)).max(1)
-}
-
 pub(crate) fn room(state: &State) -> Rect {
     areas(state)[0].1
 }
