@@ -177,12 +177,6 @@ impl Fact {
         Self { at: at.to_vec(), at_unit, ..self }
     }
 
-    /// Whether the value is the same everywhere.
-    #[must_use]
-    pub fn constant(self, is_constant: bool) -> Self {
-        Self { is_constant, ..self }
-    }
-
     /// The quantity of the results whose value it is.
     #[must_use]
     pub fn about(self, column: Quantity) -> Self {

@@ -49,5 +49,7 @@ pub fn one_scale<'a>(panels: impl Iterator<Item = &'a mut Panel>) {
     });
     let planes: Vec<&mut Bounds> = planes.collect();
     let all = Bounds::around(planes.iter().flat_map(|own| [own.low, own.high]));
-    planes.into_iter().for_each(|own| *own = all);
+    for own in planes {
+        *own = all;
+    }
 }

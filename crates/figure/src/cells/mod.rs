@@ -219,17 +219,15 @@ fn heading(title: &str, value: &str, width: u16, rows: u16) -> Vec<String> {
             }
         }
     }
-    // The value stands behind all names, in whose place it is never cut.
-    let (value, gap) = (value.trim(), if value.is_empty() { 0 } else { 2 });
-    let room = width.saturating_sub(value.width() + gap);
-    if lines.len() < most && lines.last().is_some_and(|line| line.width() > room) && gap > 0 {
+    // The value stands behind all names and is never cut.
+    let room = width.saturating_sub(value.width() + 2 * usize::from(!value.is_empty()));
+    if lines.len() < most && lines.last().is_some_and(|line| line.width() > room) {
         lines.push(String::new());
     }
-    let rest = lines.split_off(lines.len().min(most));
+    let rest = lines.split_off(lines.len().min(most)).join("  ");
     if let Some(last) = lines.last_mut() {
-        let all = std::iter::once(&*last).chain(&rest).filter(|line| !line.is_empty());
-        let names = shortened(&all.map(String::as_str).collect::<Vec<_>>().join("  "), room);
-        *last = [&names, value].into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join("  ");
+        let names = shortened(format!("{last}  {rest}").trim(), room);
+        format!("{names}  {value}").trim().clone_into(last);
     }
     lines.iter().map(|line| cut(line, width)).collect()
 }

@@ -1,7 +1,7 @@
 //! The results that are asked for first: structure, strokes, greatest loads, the drive, whether the checks hold.
 
 use assur_analysis::results::{Analysis, Column, Owner, Part, Quantity, Table, Turn};
-use assur_book::{Fact, ROUNDING, Unit, Value, catalogue};
+use assur_book::{Fact, ROUNDING, Unit, catalogue};
 use assur_geometry::{CrankCondition, crank_conditions, overview};
 use assur_kinematics::Linkage;
 use assur_mechanism::GROUND;
@@ -34,8 +34,7 @@ pub fn results(analysis: &Analysis, linkage: &Linkage) -> Vec<(About, Fact)> {
     let of_forces = if is_over_time(analysis) { Unit::SECOND } else { place };
     let mut forces = reactions(analysis, linkage, of_forces);
     forces.extend(balancing(analysis, linkage, of_forces));
-    let of_friction = analysis.friction.iter().flat_map(|cycle| friction_facts(cycle, place));
-    forces.extend(of_friction.map(|fact| extent(fact, place)));
+    forces.extend(analysis.friction.iter().flat_map(|cycle| friction_facts(cycle, place)));
     let main = [
         "fact-mean-speed",
         "fact-unevenness",
@@ -157,14 +156,6 @@ fn rows(analysis: &Analysis) -> (&Table, Column) {
     }
 }
 
-/// A part of the cycle by its length, at its ends.
-fn extent(fact: Fact, place: Unit) -> Fact {
-    match fact.value {
-        Value::Range([from, to]) => Fact { value: Value::Number(to - from), ..fact }.at(&[from, to], place),
-        _ => fact,
-    }
-}
-
 /// An extreme of a quantity with its place; one that is not finite grows without limit towards that place.
 fn extreme(
     analysis: &Analysis,
@@ -174,8 +165,8 @@ fn extreme(
     [unit, place]: [Unit; 2],
 ) -> Fact {
     let fact = if turn.value.is_finite() {
-        let fact = Fact::number(id, turn.value, unit).at(&[turn.at], place);
-        fact.constant(is_constant(analysis, column, turn))
+        let is_constant = is_constant(analysis, column, turn);
+        Fact { is_constant, ..Fact::number(id, turn.value, unit) }.at(&[turn.at], place)
     } else {
         Fact::text(id, text!("fact-unlimited", place = place.show_all(&[turn.at])))
     };
@@ -214,8 +205,8 @@ fn motion(analysis: &Analysis, linkage: &Linkage, place: Unit) -> Vec<Fact> {
     }
     facts.extend(found.transmission.map(|(group, angle, at)| {
         let fact = Fact::number("fact-transmission", angle, Unit::ANGLE).of("group", number(group + 1));
-        let fact = fact.at(&[at], place).constant(found.constant_transmission);
-        fact.about(Column::of(Quantity::Condition, Owner::Group(group)))
+        let fact = Fact { is_constant: found.constant_transmission, ..fact };
+        fact.at(&[at], place).about(Column::of(Quantity::Condition, Owner::Group(group)))
     }));
     facts
 }
@@ -252,8 +243,7 @@ fn travels(analysis: &Analysis, linkage: &Linkage, place: Unit) -> Vec<Fact> {
 
 /// Without what is rounding beside the greatest reaction, of a moment over the size of the mechanism.
 fn reactions(analysis: &Analysis, linkage: &Linkage, place: Unit) -> Vec<Fact> {
-    let schema =
-        if is_over_time(analysis) { analysis.trajectory.schema() } else { analysis.positions.schema() };
+    let schema = rows(analysis).0.schema();
     let named = |owner| schema.named(owner).map(Text::from).unwrap_or_default();
     let mut facts = Vec::new();
     let pairs = catalogue::reactions(schema);

@@ -30,7 +30,8 @@ pub(super) fn facts(cycle: &FrictionCycle, unit: Unit) -> Vec<Fact> {
     facts.extend(cycle.efficiency.map(|found| Fact::number("fact-efficiency", found, Unit::NONE)));
     let intervals = [("fact-self-braking", &cycle.self_braking), ("fact-dead-angle", &cycle.dead_angles)];
     for (id, found) in intervals {
-        facts.extend(found.iter().map(|ends| Fact::range(id, *ends, unit)));
+        // By its length, at its ends.
+        facts.extend(found.iter().map(|ends| Fact::number(id, ends[1] - ends[0], unit).at(ends, unit)));
     }
     facts
 }

@@ -172,16 +172,11 @@ pub(super) fn part(state: &mut State) {
 
 /// Shows a part of the view, or the first part again.
 pub(super) fn turn(state: &mut State, part: ViewPart) {
-    if !turns(state, part) {
+    if !state.has_part(part) {
         return state.say(Role::Plain, text!("say-no-part"));
     }
     let next = if state.part(state.view) == part { ViewPart::Overview } else { part };
     state.parts.insert(state.view, next);
-}
-
-/// Whether the view has such a part.
-pub(super) fn turns(state: &State, part: ViewPart) -> bool {
-    state.available_parts(state.view).contains(&part)
 }
 
 /// The registered force analyzer that supports the open scene and follows the one that is asked for; `None` where there is no

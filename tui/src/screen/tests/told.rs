@@ -189,3 +189,20 @@ fn what_is_zero_has_no_name_in_a_plan() {
     assert!(names.iter().any(|name| name == "an(A/O)"), "{names:?}");
     assert!(!names.iter().any(|name| name.contains("(K/E)")), "{names:?}");
 }
+
+#[test]
+fn legends_name_each_vector_and_no_rounding() {
+    let legend = |view: &str, part: &str, position: usize| {
+        let state = opened("shaper-drive");
+        let part = Some(part.to_owned());
+        let request = PictureArgs { part, position: vec![position], ..request(view) };
+        let drawn = draw(state.scene.as_ref().unwrap(), &request, "legend.svg".as_ref(), state.language());
+        String::from_utf8(drawn.unwrap()).unwrap()
+    };
+    let svg = legend("forces", "causes", 12);
+    // Once at the vector, once in the legend with its size.
+    assert_eq!(svg.matches(">sum").count(), 2, "{svg}");
+    // At 90 deg the crank is upright, and weights have no arm about the pole.
+    let svg = legend("plans", "construction", 12);
+    assert!(svg.contains("h = 0 m/rad") && !svg.contains("e-18"), "{svg}");
+}
