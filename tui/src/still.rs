@@ -208,7 +208,9 @@ fn animated(
     let mut frames = to_one_scale(frames.collect::<Result<Vec<_>, StillError>>()?);
     // A text stands still: what has other numbers in each frame is left out.
     if frames.windows(2).any(|two| two[0].legend != two[1].legend) {
-        frames.iter_mut().for_each(|frame| frame.legend.clear());
+        for frame in &mut frames {
+            frame.legend.clear();
+        }
     }
     Ok(svg::animate(&frames, page, TURN, language).0.into_bytes())
 }

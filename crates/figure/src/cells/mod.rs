@@ -232,16 +232,26 @@ fn heading(title: &str, value: &str, width: u16, rows: u16) -> Vec<String> {
     lines.iter().map(|line| cut(line, width)).collect()
 }
 
-/// Names parted by two spaces in so many columns: the longest one behind the first is shortened, so that each is still seen.
-fn shortened(names: &str, width: usize) -> String {
-    /// Fewest columns of a shortened name.
+/// A heading in so many columns: its longest names are shortened, the first one last, so that each is still seen, with its unit.
+fn shortened(heading: &str, width: usize) -> String {
+    /// Fewest columns of a shortened name; no unit has more.
     const FEWEST: usize = 8;
-    let excess = names.width().saturating_sub(width);
-    let mut all: Vec<String> = names.split("  ").map(str::to_owned).collect();
-    if let Some(longest) = all.iter_mut().skip(1).max_by_key(|name| name.width()).filter(|_| excess > 0) {
-        *longest = cut(longest, longest.width().saturating_sub(excess).max(FEWEST));
+    let (first, others) = heading.split_at(heading.find("  ").unwrap_or(heading.len()));
+    let all = first.split_inclusive([',', ':']).chain(others.split_inclusive("  "));
+    let mut all: Vec<String> = all.map(str::to_owned).collect();
+    loop {
+        let excess = all.iter().map(|name| name.width()).sum::<usize>().saturating_sub(width);
+        let is_long = |name: &String| excess > 0 && name.trim_end().width() > FEWEST;
+        let longest = (0..all.len()).rev().filter(|at| is_long(&all[*at]));
+        let longest = longest.max_by_key(|at| (*at > 0, all[*at].width()));
+        let Some(longest) = longest else { return cut(&all.concat(), width) };
+        let name = &mut all[longest];
+        let end = name.trim_end_matches([' ', ',', ':']).len();
+        let end = name.split_off(end);
+        let kept: String =
+            name.chars().take(name.width().saturating_sub(excess + 1).max(FEWEST - 3)).collect();
+        *name = format!("{}…{end}", kept.trim_end_matches(|letter: char| !letter.is_alphabetic()));
     }
-    cut(&all.join("  "), width)
 }
 
 fn headed(lines: Vec<String>, column: u16) -> impl Iterator<Item = Spot> {
