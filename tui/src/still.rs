@@ -211,14 +211,15 @@ fn animated(
     language: &'static Language,
 ) -> Result<Vec<u8>, StillError> {
     let title = name(results.linkage.mechanism.title.clone());
-    // A text stands still: what has other numbers in each frame is left out.
-    let still = |figure: Figure| match look.arrows {
-        Arrows::Loads | Arrows::Reactions => Figure { legend: Vec::new(), ..figure },
-        _ => figure,
-    };
-    let frame = |position| Ok(Figure { title: title.clone(), ..still(of(&Look { position, ..*look })?) });
+    let frame = |position| Ok(Figure { title: title.clone(), ..of(&Look { position, ..*look })? });
     let frames = results.frames().map(frame);
-    let frames = frames.collect::<Result<Vec<_>, StillError>>()?;
+    let mut frames = to_one_scale(frames.collect::<Result<Vec<_>, StillError>>()?);
+    // A text stands still: what has other numbers in each frame is left out.
+    if frames.windows(2).any(|two| two[0].legend != two[1].legend) {
+        for frame in &mut frames {
+            frame.legend.clear();
+        }
+    }
     Ok(svg::animate(&frames, page, TURN, language).0.into_bytes())
 }
 

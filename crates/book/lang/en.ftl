@@ -56,5 +56,6 @@ fact-quantity = Quantity
 fact-value = Value
 fact-unit = Unit
 fact-place = At
+fact-constant = constant
 fact-range = { $least } to { $most }
 driven-link-against = { $link } against { $on }

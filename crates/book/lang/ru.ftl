@@ -57,5 +57,6 @@ fact-quantity = Величина
 fact-value = Значение
 fact-unit = Единица
 fact-place = Где
+fact-constant = постоянно
 fact-range = от { $least } до { $most }
 driven-link-against = { $link } относительно { $on }

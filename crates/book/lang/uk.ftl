@@ -57,5 +57,6 @@ fact-quantity = Величина
 fact-value = Значення
 fact-unit = Одиниця
 fact-place = Де
+fact-constant = стале
 fact-range = від { $least } до { $most }
 driven-link-against = { $link } відносно { $on }

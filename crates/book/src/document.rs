@@ -121,6 +121,8 @@ pub struct Fact {
     pub at: Vec<f64>,
     /// Their unit.
     pub at_unit: Unit,
+    /// Whether the value is the same everywhere.
+    pub is_constant: bool,
     /// The quantity of the results whose value it is, if it is one.
     pub column: Option<Quantity>,
 }
@@ -140,7 +142,16 @@ impl Fact {
     /// A fact that is a text.
     pub fn text(id: &'static str, value: Text) -> Self {
         let (value, unit) = (Value::Text(value), Unit::NONE);
-        Self { id, of: Vec::new(), value, unit, at: Vec::new(), at_unit: unit, column: None }
+        Self {
+            id,
+            of: Vec::new(),
+            value,
+            unit,
+            at: Vec::new(),
+            at_unit: unit,
+            is_constant: false,
+            column: None,
+        }
     }
 
     /// A number in SI.
@@ -207,7 +218,11 @@ impl Fact {
 
     /// Where it occurs; empty where it belongs to the whole motion.
     pub fn place(&self) -> Text {
-        if self.at.is_empty() { Text::default() } else { self.at_unit.show_all(&self.at) }
+        match (self.is_constant, &self.at[..]) {
+            (true, _) => text!("fact-constant"),
+            (_, []) => Text::default(),
+            (_, at) => self.at_unit.show_all(at),
+        }
     }
 }
 

@@ -41,19 +41,15 @@ impl Scale {
     }
 }
 
-/// Gives planes the bounds of the largest one, so that they have one scale.
+/// Gives planes the place that all of them need, so that they have one scale, and their origin at one place.
 pub fn one_scale<'a>(panels: impl Iterator<Item = &'a mut Panel>) {
-    let mut all: Vec<&mut Bounds> = panels
-        .filter_map(|panel| match &mut panel.frame {
-            Frame::Plane { bounds, .. } => Some(bounds),
-            Frame::Axes { .. } => None,
-        })
-        .collect();
-    let sizes = all.iter().map(|bounds| bounds.size());
-    let most = sizes.fold([0.0_f64; 2], |most, size| [most[0].max(size[0]), most[1].max(size[1])]);
-    for bounds in &mut all {
-        let center = bounds.center();
-        let corner = |side: f64| [0, 1].map(|axis| center[axis] + side * most[axis] / 2.0);
-        **bounds = Bounds { low: corner(-1.0), high: corner(1.0) };
+    let planes = panels.filter_map(|panel| match &mut panel.frame {
+        Frame::Plane { bounds, .. } => Some(bounds),
+        Frame::Axes { .. } => None,
+    });
+    let planes: Vec<&mut Bounds> = planes.collect();
+    let all = Bounds::around(planes.iter().flat_map(|own| [own.low, own.high]));
+    for own in planes {
+        *own = all;
     }
 }

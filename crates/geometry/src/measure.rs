@@ -86,6 +86,8 @@ pub struct Overview {
     pub links: Vec<(LinkId, PartCourse)>,
     /// The least transmission angle of all groups, rad, with its coordinate and its group.
     pub transmission: Option<(usize, f64, f64)>,
+    /// Whether this angle is the same over the whole cycle.
+    pub constant_transmission: bool,
 }
 
 /// Measures the strokes and swings of the outputs of a machine, and the least transmission angle.
@@ -114,6 +116,7 @@ pub fn overview(linkage: &Linkage) -> Result<Overview, GeometryError> {
         let least = course.extremes(ORDERS[0])?;
         if found.transmission.is_none_or(|(_, angle, _)| least.min < angle) {
             found.transmission = Some((number, least.min, least.at_min));
+            found.constant_transmission = least.max - least.min <= assur_number::ROUNDING * least.max;
         }
     }
     Ok(found)

@@ -21,7 +21,7 @@ use crate::{Arrows, Look, Picture, Results, ViewPart, plots};
 const LONGEST: f64 = 0.35;
 /// Least part of the greater side of a drawing that counts as its smaller side.
 const FLAT: f64 = 0.5;
-/// Radius of the arc of a moment, and what each further one in its place has more, as parts of the size of the drawing.
+/// Radius of the arc of a moment, and what each further one closer to it than this radius has more, as parts of the size of the drawing.
 const ARC: [f64; 2] = [0.08, 0.03];
 /// Positions that are looked at for the greatest vectors.
 const LOOKED_AT: usize = 96;
@@ -112,7 +112,10 @@ impl Shown {
         for (index, arrow) in self.arrows.iter().enumerate() {
             let Arrow { at, kind, vector, name, style: (stroke, ink), .. } = arrow;
             let end = if *kind == Kind::Moment {
-                let here = |other: &&Arrow| other.kind == Kind::Moment && length(minus(other.at, *at)) <= 0.0;
+                // An arc goes around those that it would cross.
+                let near = self.size * ARC[0];
+                let here =
+                    |other: &&Arrow| other.kind == Kind::Moment && length(minus(other.at, *at)) <= near;
                 let before = self.arrows[..index].iter().filter(here).count();
                 let radius = self.size * (ARC[0] + ARC[1] * before as f64);
                 let (arc, middle) = plots::moment(*at, radius, 0.0, vector[0], *ink);

@@ -25,7 +25,12 @@ pub(crate) fn panels(results: &Results, look: &Look<'_>, found: &Found) -> (Vec<
     let parts = plans.by_cause().map(|split| parts(split, reaction)).unwrap_or_default();
     let mut panels = curves(results, look, found, &[usize::MAX]);
     panels.extend(sum_of(&parts));
-    (panels, drawn(&parts).map(|(number, part, force)| key(number, part, force)).collect())
+    let mut keys: Vec<Key> = drawn(&parts).map(|(number, part, force)| key(number, part, force)).collect();
+    keys.extend(sum(&parts, Text::default()).force.filter(|_| !keys.is_empty()).map(|[x, y]| {
+        let (told, size) = (text!("forces-sum"), quantity(digits(x.hypot(y), 5), "N"));
+        plots::key([&told, &Text::default()], size, None, (Stroke::Solid, Ink::First))
+    }));
+    (panels, keys)
 }
 
 /// The shares that are drawn: number, share, force.

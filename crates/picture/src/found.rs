@@ -175,8 +175,10 @@ fn gather(series: &mut Vec<Series>, table: &Table, edges: &Edges, over: Column) 
         }
         let parts: &[Part] =
             if *column == whole { &[Part::Whole] } else { &[Part::X, Part::Y, Part::Modulus] };
+        // Residuals are those of positions alone, so that nothing interrupts their curve between them.
+        let edges = Some(edges).filter(|_| !matches!(column.quantity, Quantity::Residual(_)));
         series.extend(parts.iter().filter_map(|part| {
-            let course = Course::of(table, Some(edges), over, whole.part(*part));
+            let course = Course::of(table, edges, over, whole.part(*part));
             (!course.is_empty()).then(|| Series::of(schema, whole.part(*part), course, 0.0))
         }));
     }

@@ -26,21 +26,20 @@ pub enum Shown<'a> {
     Plan(&'a VectorPlan),
     /// A construction up to a step.
     Construction(&'a Construction, usize),
-    /// Why there is nothing; `None`: no position has it.
-    Nothing(Option<Text>),
+    /// Why there is nothing.
+    Nothing(Text),
 }
 
 /// What a part of the plans shows.
 pub fn shown<'a>(found: &Found, look: &Look<'_>, part: ViewPart, plans: &'a Plans) -> Shown<'a> {
-    let nothing = |text: Text| Shown::Nothing(Some(text));
     let sheet = match (&plans.sheet, part) {
         (_, ViewPart::Construction) => {
             return match chosen_step(plans, look.step) {
                 Some((construction, last)) => Shown::Construction(construction, last),
-                None => nothing(text!("plans-no-construction")),
+                None => Shown::Nothing(text!("plans-no-construction")),
             };
         }
-        (Err(error), _) => return nothing(error.describe()),
+        (Err(error), _) => return Shown::Nothing(error.describe()),
         (Ok(sheet), _) => sheet,
     };
     let plan = match part {
@@ -49,18 +48,14 @@ pub fn shown<'a>(found: &Found, look: &Look<'_>, part: ViewPart, plans: &'a Plan
         _ if !has_forces(found, look.position) => None,
         _ => sheet.polygons.get(look.polygon.min(sheet.polygons.len().saturating_sub(1))),
     };
+    let is_of_forces = !matches!(part, ViewPart::Velocities | ViewPart::Accelerations);
     match plan {
+        // A mechanism at rest has plans of velocities, which are points.
+        Some(plan) if is_of_forces && labelled(part, plan).is_empty() => {
+            Shown::Nothing(text!("plans-no-force"))
+        }
         Some(plan) => Shown::Plan(plan),
-        None if found.reactions.is_empty() => Shown::Nothing(None),
-        None => nothing(text!("forces-not-determined")),
-    }
-}
-
-/// Why the position has no such plan or construction; `None` where there is one, or where no position has forces.
-pub(crate) fn missing(found: &Found, look: &Look<'_>, part: ViewPart) -> Option<Text> {
-    match shown(found, look, part, &found.plans.at(look.position)) {
-        Shown::Nothing(why) => why,
-        Shown::Plan(_) | Shown::Construction(..) => None,
+        None => Shown::Nothing(text!("forces-not-determined")),
     }
 }
 
@@ -126,9 +121,10 @@ pub fn labelled(part: ViewPart, plan: &VectorPlan) -> Vec<(String, &PlanVector)>
 }
 
 pub(crate) fn panel_of_plan(part: ViewPart, plan: &VectorPlan) -> Panel {
-    let vectors = labelled(part, plan).into_iter().map(|(label, item)| {
+    let shown = labelled(part, plan);
+    let vectors = shown.iter().map(|(label, item)| {
         let ink = ink_of(part, item);
-        let name = if ink == Ink::Trace { Text::default() } else { name(label) };
+        let name = if ink == Ink::Trace { Text::default() } else { name(label.clone()) };
         (plots::arrow([item.start, item.end], &name, ink), name)
     });
     let (symbol, pole) = match part {
@@ -138,7 +134,8 @@ pub(crate) fn panel_of_plan(part: ViewPart, plan: &VectorPlan) -> Panel {
     };
     let mut panel = plots::vectors(vectors.collect(), Scale::of(symbol, &plan.unit), pole);
     // The relative components of a plan of velocities or accelerations are named where there is room.
-    let components = plan.items.iter().filter(|item| pole.is_some() && ink_of(part, item) == Ink::Trace);
+    let components = shown.iter().map(|(_, item)| item);
+    let components = components.filter(|item| pole.is_some() && ink_of(part, item) == Ink::Trace);
     panel.items.extend(components.map(|item| Item::Name {
         at: [0, 1].map(|axis| 0.5 * (item.start[axis] + item.end[axis])),
         text: item.name.clone(),
@@ -251,7 +248,9 @@ fn key_of_step(step: &ConstructionStep, arm_in: Option<&'static str>) -> Option<
         return None;
     }
     let arm = arm_in.filter(|_| step.unit == "N").map(|unit| {
-        let arm = digits(cross(step.start, step.vector).abs() / size, 5);
+        let arm = cross(step.start, step.vector).abs() / size;
+        let is_rounding = arm <= LEAST * length([[0.0; 2], step.start]);
+        let arm = digits(if is_rounding { 0.0 } else { arm }, 5);
         joined(" = ", [name("h"), quantity(arm, unit)])
     });
     let size = quantity(digits(size, 5), step.unit);

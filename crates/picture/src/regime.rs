@@ -224,13 +224,14 @@ pub(crate) fn shares(found: &Found, dynamics: &Dynamics, look: &Look<'_>) -> (Pa
     let names = links.map(|link| joined("", [name("+"), link.into()]));
     let names = std::iter::once(text!("regime-drive")).chain(names);
     let names: Vec<Text> = names.enumerate().map(|(at, told)| plots::numbered(at, told)).collect();
-    let title = text!("regime-shares", names = joined("  ", names.iter().cloned()));
+    let title =
+        text!("regime-shares", unit = unit(inertia.name), names = joined("  ", names.iter().cloned()));
     let key = |((sample, now), told): ((Sample, Option<f64>), Text)| {
         let now = now.map(|now| inertia.show(now));
         Key { sample, text: joined(": ", std::iter::once(told).chain(now)) }
     };
     let legend = samples.into_iter().zip(names).map(key).collect();
-    let y = Axis::around(unit(inertia.name), values, 0.0);
+    let y = Axis::around(Text::default(), values, 0.0);
     let (x, cursor) = (plots::coordinate_axis(&found.linkage), Some(cursor(&found.linkage, look).into()));
     let frame = Frame::Axes { x, y, cursor };
     (Panel { title, frame, items }, legend)

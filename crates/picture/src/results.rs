@@ -7,18 +7,21 @@ use std::sync::Arc;
 use assur_analysis::results::{Column, Edges, Owner, Quantity, Schema, Table};
 use assur_analysis::{AnalysisError, Calculation, Options, plan, unwatched};
 use assur_book::{Course, Node, catalogue};
-use assur_figure::number::plain;
+use assur_figure::number::{plain, trimmed};
 use assur_force::LoadState;
 use assur_group::{GroupError, Order};
 use assur_kinematics::{Linkage, Modes, Position, PositionError};
 use assur_mechanism::{GROUND, PointId};
-use assur_words::{Describe, Text, millimeters, number, quantity, text};
+use assur_words::{Describe, Text, number, quantity, text};
 
 use crate::arrows::Arrow;
 use crate::{Arrows, Found, Outline, Series, Transfer, coordinate_unit};
 
 /// The vectors of all positions: of which kinds, whether of one position alone, whether with the results of the analysis.
 type KeptArrows = HashMap<(Arrows, bool, bool), Arc<[Arrow]>>;
+
+/// A group that misses by no more than this part of the mechanism's size is at a change point but for rounding of the lengths.
+const BARELY: f64 = 1e-6;
 
 /// What was calculated of a scene.
 #[derive(Debug)]
@@ -56,6 +59,8 @@ pub struct Broken {
     pub pose: Position,
     /// The first group that has none.
     pub group: usize,
+    /// Whether the gap is rounding of the lengths: modes of the group meet there.
+    pub is_change_point: bool,
 }
 
 impl Results {
@@ -137,6 +142,11 @@ impl Results {
             (!modes.all.is_empty()).then(|| Arc::new(modes))
         };
         self.modes.borrow_mut().entry([group, position]).or_insert_with(list).clone()
+    }
+
+    /// Why a position can't be assembled; of one that can, why the first lost one can't.
+    pub fn lost(&self, position: usize) -> Option<&Broken> {
+        self.broken.get(&position).or_else(|| self.broken.values().next())
     }
 
     /// The names of the groups.
@@ -261,7 +271,9 @@ fn broken(linkage: &Linkage, index: usize) -> Option<Broken> {
     let groups = &linkage.structure.groups;
     let group = groups.iter().position(|group| !group.frame.links.iter().all(placed)).unwrap_or(error.group);
     let why = failure(linkage, index, &error);
-    Some(Broken { why, pose, group: group.min(error.group) })
+    let limit = BARELY * linkage.structure.scale;
+    let is_change_point = matches!(error.source, GroupError::NoAssembly { gap_m } if gap_m <= limit);
+    Some(Broken { why, pose, group: group.min(error.group), is_change_point })
 }
 
 /// Why a position does not exist, the most important first: what, by how much, where.
@@ -272,8 +284,8 @@ fn failure(linkage: &Linkage, index: usize, error: &PositionError) -> Text {
     let (unit, factor) = coordinate_unit(linkage);
     let at = quantity(plain(factor * error.coordinate), unit);
     let place = text!("position-at", position = number(index), at = at);
-    let gap = millimeters(gap_m, 4);
-    let group = linkage.structure.group_name(&linkage.mechanism, error.group);
+    let gap = quantity(trimmed(1e3 * gap_m, 4), "mm");
+    let group = linkage.structure.group_name(&linkage.mechanism, error.group).short();
     match linkage.range.filter(|range| !range.full) {
         Some(range) => {
             let [from, to] = [range.low, range.high].map(|end| quantity(plain(factor * end), unit));

@@ -105,7 +105,10 @@ impl Picture {
             (Self::Drive, None) => return (text!("add-drive"), true),
             (Self::Forces, None) if has_loads => not_determined(),
             (Self::Plans, None) if has_loads => {
-                plans::missing(found, look, part).unwrap_or_else(not_determined)
+                match plans::shown(found, look, part, &found.plans.at(look.position)) {
+                    plans::Shown::Nothing(why) => why,
+                    _ => not_determined(),
+                }
             }
             (Self::Forces | Self::Plans, None) => return (text!("add-loads"), true),
             _ => text!("nothing-here"),

@@ -2,6 +2,7 @@
 fact-formula = formula of structure
 fact-class = class of the mechanism
 fact-mobility = mobility { $number }
+fact-change-points = change points, where modes meet
 fact-end-time = time of the end of the motion
 fact-turns = turns of the whole motion
 fact-end-speed = speed at the end of the motion

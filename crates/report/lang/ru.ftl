@@ -2,6 +2,7 @@
 fact-formula = формула строения
 fact-class = класс механизма
 fact-mobility = степень подвижности { $number }
+fact-change-points = точки перемены, где варианты сходятся
 fact-end-time = время конца движения
 fact-turns = оборотов за движение
 fact-end-speed = скорость в конце движения

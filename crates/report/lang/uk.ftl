@@ -2,6 +2,7 @@
 fact-formula = формула будови
 fact-class = клас механізму
 fact-mobility = ступінь рухомості { $number }
+fact-change-points = точки зміни, де варіанти сходяться
 fact-end-time = час кінця руху
 fact-turns = обертів за весь рух
 fact-end-speed = швидкість у кінці руху

@@ -1,4 +1,5 @@
 structure-group = group { $number } ({ $kind } { $links })
+    .short = group { $number }
 structure-links-named = { $count ->
         [one] link
        *[other] links

@@ -1,4 +1,5 @@
 structure-group = группа { $number } ({ $kind } { $links })
+    .short = группа { $number }
 structure-links-named = { $count ->
         [one] звено
        *[other] звенья

@@ -1,4 +1,5 @@
 structure-group = група { $number } ({ $kind } { $links })
+    .short = група { $number }
 structure-links-named = { $count ->
         [one] ланка
        *[other] ланки

@@ -5,6 +5,7 @@ use assur_group::Body;
 use assur_group::plane::{length, minus, opposite, perp, scaled};
 use assur_kinematics::{Linkage, Position};
 use assur_mechanism::{Balance, GROUND, InputPair, LinkId};
+use assur_number::ROUNDING;
 use assur_words::{Text, joined, name, quantity, text};
 
 /// The lever: images of the points turned clockwise by a right angle, then each load in the image of the point where it acts.
@@ -16,7 +17,12 @@ pub(crate) fn draw(linkage: &Linkage, position: &Position, loads: &[Acting], bal
         let symbol = name(format!("F{}", number + 1));
         steps.extend(lever.load(load, VectorKind::Load, &symbol, &what));
     }
-    steps.extend(lever.balance(balancing));
+    // Beside the loads it may be rounding.
+    let scale = linkage.structure.scale;
+    let moments =
+        loads.iter().map(|load| load.couple(lever.bodies).abs() + scale * length(load.wrench.force()));
+    let is_rounding = balancing.abs() <= ROUNDING * moments.fold(0.0, f64::max);
+    steps.extend(lever.balance(if is_rounding { 0.0 } else { balancing }));
     Construction { title: text!("force-lever-title"), corner: [0.0; 2], steps }
 }
 
@@ -157,7 +163,8 @@ impl Lever<'_> {
         };
         let arm = minus(at_to, at_from);
         let across = scaled(moment / (arm[0] * arm[0] + arm[1] * arm[1]), perp(arm));
-        let told = quantity(format_args!("{moment:.6e}"), "N m");
+        let told = if moment == 0.0 { "0".to_owned() } else { format!("{moment:.6e}") };
+        let told = quantity(told, "N m");
         let at = |end: Option<&Named<'_>>| end.map_or_else(Text::default, |end| Text::from(end.name));
         let step = |place: [f64; 2], vector, end: Text, symbol: Text| {
             let note = text!("force-lever-couple", couple = &told, what, point = end);

@@ -20,6 +20,7 @@ mod readme;
 mod running;
 mod sizes;
 mod tasks;
+mod told;
 mod vectors;
 mod whatif;
 mod words;

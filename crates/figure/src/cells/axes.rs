@@ -48,7 +48,8 @@ pub(super) fn draw(panel: &Panel, shows_axis: bool, [width, height]: [u16; 2], l
     if width <= LABELS + 2 || height < below + 2 {
         return Vec::new();
     }
-    let title = heading(&panel.heading().render(look.language), width - 1, height - below);
+    let value = cursor.as_ref().map(|cursor| cursor.value.render(look.language)).unwrap_or_default();
+    let title = heading(&panel.title.render(look.language), &value, width - 1, height - below);
     let above = short(title.len());
     let size = [columns(width), height - above - below];
     let map = Map { x, y, size };

@@ -202,7 +202,7 @@ const DRAWING: u16 = 3;
 
 /// The heading of a panel in rows of at most this many columns, broken where two spaces part what it names, or else between words;
 /// of `rows` rows it leaves enough to the drawing.
-fn heading(title: &str, width: u16, rows: u16) -> Vec<String> {
+fn heading(title: &str, value: &str, width: u16, rows: u16) -> Vec<String> {
     let most = usize::from(rows.saturating_sub(DRAWING).clamp(1, HEADING));
     let width = usize::from(width);
     let mut lines: Vec<String> = Vec::new();
@@ -219,11 +219,39 @@ fn heading(title: &str, width: u16, rows: u16) -> Vec<String> {
             }
         }
     }
-    let rest = lines.split_off(lines.len().min(most));
-    if let Some(last) = lines.last_mut().filter(|_| !rest.is_empty()) {
-        *last = cut(&format!("{last}  {}", rest.join("  ")), width);
+    // The value stands behind all names and is never cut.
+    let room = width.saturating_sub(value.width() + 2 * usize::from(!value.is_empty()));
+    if lines.len() < most && lines.last().is_some_and(|line| line.width() > room) {
+        lines.push(String::new());
+    }
+    let rest = lines.split_off(lines.len().min(most)).join("  ");
+    if let Some(last) = lines.last_mut() {
+        let names = shortened(format!("{last}  {rest}").trim(), room);
+        format!("{names}  {value}").trim().clone_into(last);
     }
     lines.iter().map(|line| cut(line, width)).collect()
+}
+
+/// A heading in so many columns: its longest names are shortened, the first one last, so that each is still seen, with its unit.
+fn shortened(heading: &str, width: usize) -> String {
+    /// Fewest columns of a shortened name; no unit has more.
+    const FEWEST: usize = 8;
+    let (first, others) = heading.split_at(heading.find("  ").unwrap_or(heading.len()));
+    let all = first.split_inclusive([',', ':']).chain(others.split_inclusive("  "));
+    let mut all: Vec<String> = all.map(str::to_owned).collect();
+    loop {
+        let excess = all.iter().map(|name| name.width()).sum::<usize>().saturating_sub(width);
+        let is_long = |name: &String| excess > 0 && name.trim_end().width() > FEWEST;
+        let longest = (0..all.len()).rev().filter(|at| is_long(&all[*at]));
+        let longest = longest.max_by_key(|at| (*at > 0, all[*at].width()));
+        let Some(longest) = longest else { return cut(&all.concat(), width) };
+        let name = &mut all[longest];
+        let end = name.trim_end_matches([' ', ',', ':']).len();
+        let end = name.split_off(end);
+        let kept: String =
+            name.chars().take(name.width().saturating_sub(excess + 1).max(FEWEST - 3)).collect();
+        *name = format!("{}…{end}", kept.trim_end_matches(|letter: char| !letter.is_alphabetic()));
+    }
 }
 
 fn headed(lines: Vec<String>, column: u16) -> impl Iterator<Item = Spot> {

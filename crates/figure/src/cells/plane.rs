@@ -64,7 +64,7 @@ fn scales_of_row(width: u16) -> usize {
 
 fn title(panel: &Panel, [width, height]: [u16; 2], look: Look) -> Vec<String> {
     let title = panel.title.render(look.language);
-    if title.is_empty() { Vec::new() } else { heading(&title, width, height) }
+    if title.is_empty() { Vec::new() } else { heading(&title, "", width, height) }
 }
 
 /// The point of the plane in the middle of a cell of a panel of so many columns and rows; `None` outside its drawing.

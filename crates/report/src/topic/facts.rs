@@ -1,6 +1,6 @@
 //! The results that are asked for first: structure, strokes, greatest loads, the drive, whether the checks hold.
 
-use assur_analysis::results::{Analysis, Column, Owner, Part, Quantity, Turn};
+use assur_analysis::results::{Analysis, Column, Owner, Part, Quantity, Table, Turn};
 use assur_book::{Fact, ROUNDING, Unit, catalogue};
 use assur_geometry::{CrankCondition, crank_conditions, overview};
 use assur_kinematics::Linkage;
@@ -8,7 +8,10 @@ use assur_mechanism::GROUND;
 use assur_motor::FlywheelSize;
 use assur_words::{Text, count, joined, list, name, number, text};
 
-use super::{drive::flywheel_shaft, forces::force, regime};
+use super::{drive::flywheel_shaft, forces::force, friction::facts as friction_facts, regime};
+
+/// Relative size of a change that is rounding.
+const CONSTANT: f64 = 1e-9;
 
 /// What a group of facts is about.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -31,6 +34,7 @@ pub fn results(analysis: &Analysis, linkage: &Linkage) -> Vec<(About, Fact)> {
     let of_forces = if is_over_time(analysis) { Unit::SECOND } else { place };
     let mut forces = reactions(analysis, linkage, of_forces);
     forces.extend(balancing(analysis, linkage, of_forces));
+    forces.extend(analysis.friction.iter().flat_map(|cycle| friction_facts(cycle, place)));
     let main = [
         "fact-mean-speed",
         "fact-unevenness",
@@ -49,6 +53,7 @@ pub fn results(analysis: &Analysis, linkage: &Linkage) -> Vec<(About, Fact)> {
     let all = [
         (About::Structure, structure(analysis)),
         (About::Structure, cranks(linkage)),
+        (About::Structure, change_points(linkage, place).into_iter().collect()),
         (About::Checks, lost(analysis, linkage)),
         (About::Motion, motion(analysis, linkage, place)),
         (About::Forces, forces),
@@ -105,6 +110,14 @@ fn cranks(linkage: &Linkage) -> Vec<Fact> {
     crank_conditions(&linkage.mechanism).into_iter().map(fact).collect()
 }
 
+/// Where two modes of a group meet.
+fn change_points(linkage: &Linkage, place: Unit) -> Option<Fact> {
+    let mut at: Vec<f64> = linkage.change_points().map(|point| point.coordinate).collect();
+    at.sort_by(f64::total_cmp);
+    at.dedup_by(|one, other| (*one - *other).abs() <= CONSTANT * linkage.structure.scale.max(1.0));
+    (!at.is_empty()).then(|| Fact::text("fact-change-points", count(at.len())).at(&at, place))
+}
+
 fn end_of_motion(analysis: &Analysis) -> Vec<Fact> {
     let angular = analysis.input.angular;
     let facts = analysis.integration.as_ref().map(|found| {
@@ -120,23 +133,44 @@ fn end_of_motion(analysis: &Analysis) -> Vec<Fact> {
 /// kept, or at the samples of a motion over time.
 fn farthest(analysis: &Analysis, column: Column) -> Option<Turn> {
     analysis.peaks.of(column).filter(|_| !is_over_time(analysis)).or_else(|| {
-        let (table, over) = if is_over_time(analysis) {
-            (&analysis.trajectory, Column::TIME)
-        } else {
-            (&analysis.positions, Column::COORDINATE)
-        };
+        let (table, over) = rows(analysis);
         let value = |row| Some(Turn::at(table.get(row, over)?, table.get(row, column)?));
         let found: Vec<Turn> = (0..table.len()).filter_map(value).collect();
         Turn::statistic(&found).farthest().map(|best| found[best.number])
     })
 }
 
-/// An extreme with its place; one that is not finite grows without limit towards that place.
-fn extreme(id: &'static str, turn: Turn, unit: Unit, place: Unit) -> Fact {
-    if turn.value.is_finite() {
-        return Fact::number(id, turn.value, unit).at(&[turn.at], place);
+/// Whether a quantity with this extreme is the same everywhere.
+fn is_constant(analysis: &Analysis, column: Column, turn: Turn) -> bool {
+    let (table, _) = rows(analysis);
+    let apart = |row| (table.get(row, column).unwrap_or(f64::NAN) - turn.value).abs();
+    table.len() > 1 && (0..table.len()).all(|row| apart(row) <= CONSTANT * turn.value.abs())
+}
+
+/// The table over which a quantity reaches its extremes, and the column of their places.
+fn rows(analysis: &Analysis) -> (&Table, Column) {
+    if is_over_time(analysis) {
+        (&analysis.trajectory, Column::TIME)
+    } else {
+        (&analysis.positions, Column::COORDINATE)
     }
-    Fact::text(id, text!("fact-unlimited", place = place.show_all(&[turn.at])))
+}
+
+/// An extreme of a quantity with its place; one that is not finite grows without limit towards that place.
+fn extreme(
+    analysis: &Analysis,
+    id: &'static str,
+    column: Column,
+    turn: Turn,
+    [unit, place]: [Unit; 2],
+) -> Fact {
+    let fact = if turn.value.is_finite() {
+        let is_constant = is_constant(analysis, column, turn);
+        Fact { is_constant, ..Fact::number(id, turn.value, unit) }.at(&[turn.at], place)
+    } else {
+        Fact::text(id, text!("fact-unlimited", place = place.show_all(&[turn.at])))
+    };
+    fact.about(column)
 }
 
 /// How far slides and links of the ground go, and how fast.
@@ -160,7 +194,7 @@ fn motion(analysis: &Analysis, linkage: &Linkage, place: Unit) -> Vec<Fact> {
         let speed = Column::of(Quantity::Velocity, owner);
         facts.push(if let Some(turn) = farthest(analysis, speed) {
             let unit = Unit::rates(!is_slide)[0];
-            of(extreme("fact-fastest", turn, unit, place)).about(speed)
+            of(extreme(analysis, "fact-fastest", speed, turn, [unit, place]))
         } else {
             let [value, at] =
                 if pf1.max.abs() >= pf1.min.abs() { [pf1.max, pf1.at_max] } else { [pf1.min, pf1.at_min] };
@@ -171,6 +205,7 @@ fn motion(analysis: &Analysis, linkage: &Linkage, place: Unit) -> Vec<Fact> {
     }
     facts.extend(found.transmission.map(|(group, angle, at)| {
         let fact = Fact::number("fact-transmission", angle, Unit::ANGLE).of("group", number(group + 1));
+        let fact = Fact { is_constant: found.constant_transmission, ..fact };
         fact.at(&[at], place).about(Column::of(Quantity::Condition, Owner::Group(group)))
     }));
     facts
@@ -199,7 +234,8 @@ fn travels(analysis: &Analysis, linkage: &Linkage, place: Unit) -> Vec<Fact> {
         } else if column.quantity == Quantity::Velocity
             && let Some(turn) = farthest(analysis, *column)
         {
-            facts.push(of(extreme("fact-fastest", turn, Unit::rates(is_angle)[0], place)));
+            let units = [Unit::rates(is_angle)[0], place];
+            facts.push(of(extreme(analysis, "fact-fastest", *column, turn, units)));
         }
     }
     facts
@@ -207,8 +243,7 @@ fn travels(analysis: &Analysis, linkage: &Linkage, place: Unit) -> Vec<Fact> {
 
 /// Without what is rounding beside the greatest reaction, of a moment over the size of the mechanism.
 fn reactions(analysis: &Analysis, linkage: &Linkage, place: Unit) -> Vec<Fact> {
-    let schema =
-        if is_over_time(analysis) { analysis.trajectory.schema() } else { analysis.positions.schema() };
+    let schema = rows(analysis).0.schema();
     let named = |owner| schema.named(owner).map(Text::from).unwrap_or_default();
     let mut facts = Vec::new();
     let pairs = catalogue::reactions(schema);
@@ -221,7 +256,8 @@ fn reactions(analysis: &Analysis, linkage: &Linkage, place: Unit) -> Vec<Fact> {
         let of_pair = |id: &'static str, column: Column, unit: Unit| {
             let lever = if unit == Unit::MOMENT { linkage.structure.scale } else { 1.0 };
             let turn = farthest(analysis, column).filter(|turn| turn.value.abs() > floor * lever)?;
-            Some(extreme(id, turn, unit, place).of("pair", named(Owner::Pair(pair))).about(column))
+            let fact = extreme(analysis, id, column, turn, [unit, place]);
+            Some(fact.of("pair", named(Owner::Pair(pair))))
         };
         for &(_, link) in links {
             let column = force(pair, link).part(Part::Modulus);
@@ -235,9 +271,13 @@ fn reactions(analysis: &Analysis, linkage: &Linkage, place: Unit) -> Vec<Fact> {
 }
 
 fn balancing(analysis: &Analysis, linkage: &Linkage, place: Unit) -> Vec<Fact> {
-    let Some(turn) = farthest(analysis, Column::BALANCING).filter(|turn| turn.value != 0.0) else {
-        return Vec::new();
-    };
+    let (table, _) = rows(analysis);
+    let reduced = table.schema().owners(Quantity::ReducedLoad).into_iter();
+    let reduced = reduced.filter_map(|owner| farthest(analysis, Column::of(Quantity::ReducedLoad, owner)));
+    // Beside the loads that it balances it may be rounding.
+    let floor = ROUNDING * reduced.fold(0.0, |most: f64, turn| most.max(turn.value.abs()));
+    let turn = farthest(analysis, Column::BALANCING).filter(|turn| turn.value.abs() > floor);
+    let Some(turn) = turn else { return Vec::new() };
     let is_moment = analysis.input.balancing_is_moment;
     let unit = Unit::load(is_moment);
     let ids = if is_moment {
@@ -245,7 +285,7 @@ fn balancing(analysis: &Analysis, linkage: &Linkage, place: Unit) -> Vec<Fact> {
     } else {
         ["fact-greatest-balancing-force", "fact-mean-balancing-force", "fact-rms-balancing-force"]
     };
-    let mut facts = vec![extreme(ids[0], turn, unit, place).about(Column::BALANCING)];
+    let mut facts = vec![extreme(analysis, ids[0], Column::BALANCING, turn, [unit, place])];
     // The mean moment of a regime is that of its works.
     let means = analysis.peaks.balancing.filter(|_| linkage.mechanism.balance.is_none());
     let means = means.filter(|_| analysis.dynamics.is_none());
@@ -257,8 +297,8 @@ fn balancing(analysis: &Analysis, linkage: &Linkage, place: Unit) -> Vec<Fact> {
         facts.push(fact.about(Column::BALANCING));
     }
     let power = analysis.peaks.power.filter(|_| means.is_some());
-    let power = power.map(|turn| extreme("fact-greatest-power", turn, Unit::POWER, place));
-    facts.extend(power.map(|fact| fact.about(Column::BALANCING)));
+    let units = [Unit::POWER, place];
+    facts.extend(power.map(|turn| extreme(analysis, "fact-greatest-power", Column::BALANCING, turn, units)));
     facts
 }
 

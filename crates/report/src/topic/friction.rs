@@ -18,20 +18,20 @@ pub(super) fn friction(source: &Source<'_>, page: &mut Document) {
 pub fn friction_tables(source: &Source<'_>, page: &mut Document) {
     let Some(cycle) = &source.analysis.friction else { return };
     page.paragraph(text!("report-friction-text"));
-    page.facts(Text::default(), facts(source, cycle));
+    page.facts(Text::default(), facts(cycle, source.coordinate()));
     of_pairs(source, page);
     efficiency(source, page);
     losses(source, cycle, page);
 }
 
 /// Efficiency of the cycle, and the intervals in which the mechanism brakes itself or jams.
-pub(super) fn facts(source: &Source<'_>, cycle: &FrictionCycle) -> Vec<Fact> {
-    let unit = source.coordinate();
+pub(super) fn facts(cycle: &FrictionCycle, unit: Unit) -> Vec<Fact> {
     let mut facts = Vec::new();
     facts.extend(cycle.efficiency.map(|found| Fact::number("fact-efficiency", found, Unit::NONE)));
     let intervals = [("fact-self-braking", &cycle.self_braking), ("fact-dead-angle", &cycle.dead_angles)];
     for (id, found) in intervals {
-        facts.extend(found.iter().map(|ends| Fact::range(id, *ends, unit)));
+        // By its length, at its ends.
+        facts.extend(found.iter().map(|ends| Fact::number(id, ends[1] - ends[0], unit).at(ends, unit)));
     }
     facts
 }

@@ -11,6 +11,9 @@ use crate::screen::state::{
 };
 use crate::screen::view::{plans, report, room, structure};
 
+/// Rows of the list of values in the smallest terminal.
+const VALUES: isize = 6;
+
 /// An eighth of the positions forward or back.
 pub(super) fn jump(state: &mut State, sense: isize) {
     let eighth = (state.positions() / 8).max(1);
@@ -169,7 +172,7 @@ pub(super) fn part(state: &mut State) {
 
 /// Shows a part of the view, or the first part again.
 pub(super) fn turn(state: &mut State, part: ViewPart) {
-    if !state.available_parts(state.view).contains(&part) {
+    if !state.has_part(part) {
         return state.say(Role::Plain, text!("say-no-part"));
     }
     let next = if state.part(state.view) == part { ViewPart::Overview } else { part };
@@ -311,6 +314,9 @@ pub(super) fn motion(state: &mut State, by: isize) {
 }
 
 pub(super) fn page(state: &mut State, sense: isize) {
+    if state.values_open() {
+        return choose(state, View::Values, sense * VALUES);
+    }
     let page = isize::from(i16::try_from(report::page(state)).unwrap_or(i16::MAX));
     scroll(state, sense * (page - 1).max(1));
 }

@@ -127,10 +127,15 @@ fn take_outcome(state: &mut State, index: usize, outcome: Outcome) {
         }
         (Outcome::Measured(measured), _) => (state.measured, state.chosen.line) = (Some(measured), 0),
         (Outcome::Failed(text), scene) => {
-            if let Some(scene) = scene.as_mut().filter(|_| purpose != Purpose::Measurement) {
+            let scene = scene.as_mut().filter(|_| purpose != Purpose::Measurement);
+            // Where positions are lost, the last row tells of the first of them.
+            let is_told = scene.is_some_and(|scene| {
                 scene.fault.get_or_insert_with(|| text.clone());
+                !scene.broken.is_empty()
+            });
+            if !is_told {
+                state.say(Role::Bad, text!("no-analysis", reason = text));
             }
-            state.say(Role::Bad, text!("no-analysis", reason = text));
         }
         (Outcome::Found(_) | Outcome::Checks(_), None) => {}
     }

@@ -23,6 +23,11 @@ pub(super) fn show(state: &mut State, by: isize) {
     state.chosen.mode = Some([group, round(shown, by, modes.all.len())]);
 }
 
+pub(super) fn are_several(state: &State) -> bool {
+    let modes = state.scene.as_ref().and_then(|scene| scene.modes(state.chosen.group, 0));
+    modes.is_some_and(|modes| modes.all.len() > 1)
+}
+
 /// Takes the mode that is shown: its places are written under `[assembly]`, as a changed value is.
 pub(super) fn take(state: &mut State) {
     let group = state.chosen.group;

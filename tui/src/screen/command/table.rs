@@ -21,6 +21,7 @@ const VALUED: &[View] = &[Mechanism, Curves, Forces, Motion, Table];
 const MATCHES: &[View] =
     &[Results, Curves, Forces, Plans, Motion, Drive, Checks, Accuracy, Structure, Table, Working, Values];
 const TEXTS: &[View] = &[Accuracy, Working];
+const PAGED: &[View] = &[Accuracy, Working, Values];
 const LINES: &[View] = &[Accuracy, Working, Drive];
 
 const fn command(
@@ -31,7 +32,7 @@ const fn command(
     run: fn(&mut State),
 ) -> Command {
     // Its name is behind `do-`.
-    Command { name: text.split_at(3).1, text, group, keys, views, run }
+    Command { name: text.split_at(3).1, text, group, keys, views, run, works: |_| true }
 }
 
 /// All commands, in the order of the help screen; their texts are in the resources of `lang`.
@@ -63,17 +64,17 @@ pub(crate) const COMMANDS: &[Command] = &[
     command("do-next-group", Choose, "Down j", &[Structure], |s| act::group(s, 1)),
     command("do-previous-group", Choose, "Up k", &[Structure], |s| act::group(s, -1)),
     command("do-nearest", Choose, "Enter", &[Structure], act::nearest),
-    command("do-next-mode", Choose, "]", &[Structure], |s| modes::show(s, 1)),
-    command("do-previous-mode", Choose, "[", &[Structure], |s| modes::show(s, -1)),
-    command("do-take-mode", Change, "A", &[Structure], modes::take),
+    command("do-next-mode", Choose, "]", &[Structure], |s| modes::show(s, 1)).only(modes::are_several),
+    command("do-previous-mode", Choose, "[", &[Structure], |s| modes::show(s, -1)).only(modes::are_several),
+    command("do-take-mode", Change, "A", &[Structure], modes::take).only(|s| s.mode_of(s.chosen.group).is_some()),
     command("do-next-reaction", Choose, "Down j", &[Forces], |s| act::choose(s, Forces, 1)),
     command("do-previous-reaction", Choose, "Up k", &[Forces], |s| act::choose(s, Forces, -1)),
     command("do-analyzer", Choose, "f", &[Forces, Plans], act::analyzer),
     command("do-difference", Choose, "d", &[Forces], act::difference),
-    command("do-causes", Choose, "b", &[Forces], |s| act::turn(s, ViewPart::Causes)),
-    command("do-events", Choose, "b", &[Structure], |s| act::turn(s, ViewPart::Events)),
-    command("do-join", Choose, "Tab", &[Structure], act::join),
-    command("do-part", Choose, "Tab", PARTS, act::part),
+    command("do-causes", Choose, "b", &[Forces], |s| act::turn(s, ViewPart::Causes)).only(|s| s.has_part(ViewPart::Causes)),
+    command("do-events", Choose, "b", &[Structure], |s| act::turn(s, ViewPart::Events)).only(|s| s.has_part(ViewPart::Events)),
+    command("do-join", Choose, "Tab", &[Structure], act::join).only(|s| s.scene.as_ref().is_some_and(|scene| !scene.linkage.structure.groups.is_empty())),
+    command("do-part", Choose, "Tab", PARTS, act::part).only(|s| s.available_parts(s.view).len() > 1),
     command("do-next-step", Choose, "Down j", &[Plans], |s| act::plan(s, 1)),
     command("do-previous-step", Choose, "Up k", &[Plans], |s| act::plan(s, -1)),
     command("do-beside", Choose, "s", &[Plans], act::beside),
@@ -88,8 +89,8 @@ pub(crate) const COMMANDS: &[Command] = &[
     command("do-measure", Choose, "b Enter", &[Accuracy], act::measure),
     command("do-next-line", Choose, "Down j", LINES, |s| act::scroll(s, 1)),
     command("do-previous-line", Choose, "Up k", LINES, |s| act::scroll(s, -1)),
-    command("do-next-page", Choose, "PgDn", TEXTS, |s| act::page(s, 1)),
-    command("do-previous-page", Choose, "PgUp", TEXTS, |s| act::page(s, -1)),
+    command("do-next-page", Choose, "PgDn", PAGED, |s| act::page(s, 1)),
+    command("do-previous-page", Choose, "PgUp", PAGED, |s| act::page(s, -1)),
     command("do-first-line", Choose, "Home", TEXTS, |s| *s.line() = 0),
     command("do-last-line", Choose, "End", TEXTS, |s| act::scroll(s, isize::MAX)),
     command("do-next-column", Choose, "Tab >", &[Table], |s| act::choose(s, Table, 1)),
@@ -102,8 +103,8 @@ pub(crate) const COMMANDS: &[Command] = &[
     command("do-lower", Change, "-", &[Values], |s| whatif::shift(s, -1.0)),
     command("do-step-size", Change, "%", &[Values], whatif::step),
     command("do-exact-value", Change, "Enter", &[Values], whatif::exact),
-    command("do-undo", Change, "u", SCENE, whatif::undo),
-    command("do-save", Change, "S", SCENE, whatif::save),
+    command("do-undo", Change, "u", SCENE, whatif::undo).only(|s| s.what_if.changes() > 0),
+    command("do-save", Change, "S", SCENE, whatif::save).only(|s| s.what_if.changes() > 0),
     command("do-results", Views, "R", SCENE, |s| s.view = Results),
     command("do-mechanism", Views, "1", SCENE, |s| s.view = Mechanism),
     command("do-curves", Views, "2", SCENE, |s| s.view = Curves),

@@ -47,9 +47,17 @@ pub(crate) struct Command {
     /// Views in which the keys apply; empty: all with a scene and the menu.
     pub(crate) views: &'static [View],
     pub(crate) run: fn(&mut State),
+    /// Whether it can do anything now, so that it is worth a hint.
+    pub(crate) works: fn(&State) -> bool,
 }
 
 impl Command {
+    /// Hinted only where it can do something.
+    pub(crate) const fn only(mut self, works: fn(&State) -> bool) -> Self {
+        self.works = works;
+        self
+    }
+
     pub(crate) fn fits(&self, view: View) -> bool {
         self.views.is_empty() || self.views.contains(&view)
     }

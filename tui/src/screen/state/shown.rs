@@ -21,6 +21,10 @@ impl State {
         picture.map_or_else(Vec::new, |(picture, scene)| picture.parts_of(scene, &self.pictured()))
     }
 
+    pub(crate) fn has_part(&self, part: ViewPart) -> bool {
+        self.available_parts(self.view).contains(&part)
+    }
+
     /// The part of a view that is shown: the chosen one if there is something to show in it.
     pub(crate) fn part(&self, view: View) -> ViewPart {
         let (picture, wanted) = (view.picture().zip(self.scene.as_ref()), self.parts.get(&view).copied());

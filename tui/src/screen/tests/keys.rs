@@ -273,7 +273,7 @@ fn the_worst_position_of_a_check_is_reached() {
     press(&mut state, "7 Down Down Enter 1");
     let scene = state.scene.as_ref().unwrap();
     let at = scene.found.as_ref().unwrap().analysis.checks[2].at.unwrap();
-    assert!(text(&state, 80, 24).contains(&format!("position {at} of")));
+    assert!(text(&state, 80, 24).contains(&format!("position {at} (")));
 }
 
 #[test]

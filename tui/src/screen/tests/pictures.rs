@@ -17,7 +17,7 @@ use crate::screen::view;
 use crate::session::{Session, Source};
 use crate::still::{self, PictureArgs, StillError};
 
-fn request(view: &str) -> PictureArgs {
+pub(super) fn request(view: &str) -> PictureArgs {
     PictureArgs {
         view: Some(view.parse().unwrap()),
         part: None,

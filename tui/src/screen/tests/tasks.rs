@@ -22,7 +22,7 @@ const TASKS: [(&str, &str, &str, &[&str]); 10] = [
         "the force polygon of the last group in position 12",
         "shaper",
         ": 1 2 Enter 4 Down",
-        &["position 12 of 48", "Force polygon of group"],
+        &["position 12 (0 to 47)", "Force polygon of group"],
     ),
     ("the plan of accelerations", "shaper", "4 Tab Tab", &["cceleration", "m/s"]),
     (

@@ -7,23 +7,23 @@ use super::footer::calculating;
 use crate::screen::draw::{Pen, short, wrapped};
 use crate::screen::state::{Role, Scene, State, View};
 
+/// In rows that fit; an example is shown exactly as it is to be written.
 pub(super) fn draw(pen: &mut Pen<'_>, scene: &Scene, view: View, area: Rect) {
     let width = usize::from(area.width.max(12)) - 4;
-    for (row, line) in rows(&pen.state.told(text(pen.state, scene, view)), width).iter().enumerate() {
-        pen.put(area, 2, short(row) + 1, line, Role::Plain);
+    let told = pen.state.told(text(pen.state, scene, view));
+    let of_line =
+        |line: &str| if line.starts_with(' ') { vec![line.to_owned()] } else { wrapped(line, width) };
+    for (row, line) in told.lines().flat_map(of_line).enumerate() {
+        pen.put(area, 2, short(row) + 1, &line, Role::Plain);
     }
 }
 
-/// An advice in rows that fit; an example is shown exactly as it is to be written.
-pub(super) fn rows(text: &str, width: usize) -> Vec<String> {
-    let of_line =
-        |line: &str| if line.starts_with(' ') { vec![line.to_owned()] } else { wrapped(line, width) };
-    text.lines().flat_map(of_line).collect()
-}
-
-pub(super) fn text(state: &State, scene: &Scene, view: View) -> Text {
+fn text(state: &State, scene: &Scene, view: View) -> Text {
     if let Some(fault) = &scene.fault {
-        return text!("no-analysis", reason = fault);
+        let lost = scene.lost(state.position);
+        let barely = lost.filter(|lost| lost.is_change_point).map(|_| text!("failure-barely"));
+        let lost = lost.map(|lost| lost.why.clone()).into_iter().chain(barely);
+        return joined("\n\n", lost.chain([text!("no-analysis", reason = fault)]));
     }
     if let Some(running) = state.analyzing() {
         return calculating(state, running);

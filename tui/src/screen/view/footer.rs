@@ -1,6 +1,6 @@
 //! The last two rows: the keys of this view, and in the last row a message or typed text if there is one.
 
-use assur_words::{Text, name, text};
+use assur_words::{Text, joined, name, text};
 use crossterm::event::KeyCode;
 use ratatui::layout::Rect;
 use ratatui::widgets::{Block, Clear, Widget};
@@ -69,10 +69,12 @@ pub(super) fn calculating(state: &State, running: &Running) -> Text {
 }
 
 /// Why this position can't be assembled, or else what the results lack or don't prove.
-fn failure(state: &State) -> Option<&Text> {
+fn failure(state: &State) -> Option<Text> {
     let scene = state.scene.as_ref()?;
-    let broken = scene.broken.get(&state.position).or_else(|| scene.broken.values().next());
-    broken.map(|broken| &broken.why).or_else(|| scene.verdict.messages().next())
+    let Some(lost) = scene.lost(state.position) else { return scene.verdict.messages().next().cloned() };
+    let more = scene.fault.is_some() && state.view != View::Results;
+    let more = more.then(|| text!("failure-more", key = name(state.keys.first("results"))));
+    Some(joined("; ", std::iter::once(lost.why.clone()).chain(more)))
 }
 
 /// The keys of this view, in both rows where nothing else is said; the keys of the program stand at the right.
@@ -125,12 +127,15 @@ fn hinted(state: &State) -> Vec<&'static Command> {
         meant.is_some_and(|meant| meant.name == command.name)
     };
     let own = |command: &Command| !command.views.is_empty() && command.views.len() <= OWN;
-    let mut fit: Vec<_> =
-        state.commands.iter().filter(|command| state.takes(command)).filter(has_key).collect();
+    let mut fit: Vec<_> = state
+        .commands
+        .iter()
+        .filter(|command| state.takes(command) && (command.works)(state))
+        .filter(has_key)
+        .collect();
     fit.sort_by_key(|command| match command.name {
         "next-position" => 0,
-        "undo" | "save" if state.what_if.changes() > 0 => 2,
-        "undo" | "save" => 8,
+        "undo" | "save" => 2,
         "exact-value" => 3,
         "search" if [View::Forces, View::Table].contains(&state.view) => 5,
         "pick" | "greatest" | "what-if" | "write" => 5,

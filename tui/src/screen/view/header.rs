@@ -5,12 +5,14 @@ use ratatui::layout::Rect;
 use unicode_width::UnicodeWidthStr;
 
 use super::values;
-use crate::number::digits;
+use crate::number::{digits, trimmed};
 use crate::screen::draw::{Pen, short};
 use crate::screen::state::{Reading, Role, Scene, State, View, coordinate_unit};
 
 /// Columns that the key of a changed value can spare.
 const KEY_ROOM: usize = 20;
+/// Digits of a number in the header.
+const DIGITS: usize = 6;
 
 pub(super) fn draw(pen: &mut Pen<'_>, area: Rect) {
     let state = pen.state;
@@ -53,21 +55,31 @@ fn changed(state: &State, room: usize) -> Option<String> {
         String::new()
     };
     // A table of values, such as a motor's, has no room beside its key.
-    let shown = Some(format!(" {}", what.shown(last))).filter(|shown| 2 * shown.width() <= room + KEY_ROOM);
+    let shown =
+        Some(format!(" {}", brief(&what.shown(last)))).filter(|shown| 2 * shown.width() <= room + KEY_ROOM);
     let value = format!("{}{more}{refused}", shown.unwrap_or_default());
     let key = values::tail(&what.values[last].key.to_string(), room.saturating_sub(value.width() + 2).max(6));
     Some(format!("* {key}{value}"))
 }
 
-/// `position 12 of 48  90.0000 deg`.
+/// A value with its numbers in few digits; the list of values has them in full.
+fn brief(value: &str) -> String {
+    let short = |word: &str| match word.parse() {
+        Ok(number) if word.len() > DIGITS + 1 => trimmed(number, DIGITS),
+        _ => word.to_owned(),
+    };
+    value.split(' ').map(short).collect::<Vec<_>>().join(" ")
+}
+
+/// `position 12 (0 to 47)  90.0000 deg`.
 fn position(state: &State, scene: &Scene) -> String {
     let (unit, factor) = coordinate_unit(&scene.linkage);
     let coordinate = digits(factor * scene.coordinate(state.position), 6);
     let playing = if state.playing { " >" } else { "" };
-    let [position, count] = [state.position, scene.positions()].map(number);
+    let [position, last] = [state.position, scene.positions().saturating_sub(1)].map(number);
     let position = state.told(match scene.time(state.position) {
-        Some(time) => text!("header-instant", number = position, count = count, time),
-        None => text!("header-position", number = position, count = count),
+        Some(time) => text!("header-instant", number = position, last = last, time),
+        None => text!("header-position", number = position, last = last),
     });
     format!("{position}  {}{playing}", state.told(quantity(coordinate, unit)))
 }

@@ -71,6 +71,9 @@ fn rows(state: &State, help: &Help) -> Vec<Pieces> {
     if languages.to_lowercase().contains(&wanted) {
         rows.push(vec![(0, Role::Plain, languages)]);
     }
+    if wanted.is_empty() {
+        rows.push(vec![(NAME_AT, Role::Dim, state.told(text!("help-names")))]);
+    }
     let of_group = |(group, id): (Group, &'static str)| {
         let commands = state.commands.iter().filter(|command| command.group == group);
         (id, commands.flat_map(|command| rows_of(state, command, &wanted)).collect())

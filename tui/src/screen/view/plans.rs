@@ -25,12 +25,7 @@ pub(super) fn draw(pen: &mut Pen<'_>, scene: &Scene, area: Rect) {
     match shown(found, &look, state.part(View::Plans), &plans) {
         Shown::Plan(plan) => list_of_plan(pen, plan, list),
         Shown::Construction(construction, last) => list_of_steps(pen, construction, last, list),
-        Shown::Nothing(_) => {
-            let text = advice::text(state, scene, View::Plans);
-            let rows = advice::rows(&state.told(text), usize::from(list.width.max(12)) - 2).into_iter();
-            let rows: Vec<_> = rows.map(|line| (Role::Plain, line)).collect();
-            return lines_of(pen, &rows, list);
-        }
+        Shown::Nothing(_) => return advice::draw(pen, scene, View::Plans, area),
     }
     let mut figure = plans::figure(scene, &look, state.part(View::Plans));
     // Beside each other where that gives larger drawings than one below the other.

@@ -46,7 +46,7 @@ pub(super) fn draw(pen: &mut Pen<'_>, scene: &Scene, area: Rect) {
     pen.tell(top, 1, 1, mobility, Role::Plain);
     if let Some((group, health, at)) = scene.nearest_group() {
         let (determinant, position) = (number(digits(health, LEAST)), number(at));
-        let group = groups.group_name(&scene.linkage.mechanism, group);
+        let group = groups.group_name(&scene.linkage.mechanism, group).short();
         let nearest = text!("structure-nearest", determinant, position, group);
         pen.put(top, 1, 2, &head(&state.told(nearest)), Role::Plain);
     }
@@ -69,6 +69,9 @@ fn events(pen: &mut Pen<'_>, scene: &Scene, area: Rect) {
     let unit = Unit::place(scene.linkage.angular());
     let lines = page::told(state, area.width.saturating_sub(2), |page| {
         topic::list_of_events(&found.events, unit, page);
+        if !found.linkage.mechanism.input.is_cycle() {
+            page.paragraph(text!("events-of-turn"));
+        }
         if found.analysis.friction.as_ref().is_some_and(|friction| friction.dead_angles.is_empty()) {
             page.paragraph(text!("events-no-dead-angle"));
         }
@@ -175,7 +178,8 @@ fn details(state: &State, scene: &Scene, group: &assur_structure::Group, index: 
         lines.push(text!("structure-driven", pairs = pairs(&driven)));
     }
     if let Some(pose) = scene.pose(position, 0.0) {
-        if let Some(modes) = scene.modes(index, position) {
+        // A mode has one number over the whole cycle: that in the first position.
+        if let Some(modes) = scene.modes(index, 0) {
             let (mode, count) = (ordinal(modes.number(modes.present)), number(modes.all.len()));
             lines.push(text!("structure-mode-of", mode = mode, count = count));
             let shown = state.mode_of(index).and_then(|shown| Some((shown, modes.all.get(shown)?)));

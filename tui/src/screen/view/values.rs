@@ -8,7 +8,7 @@ use ratatui::widgets::{Block, Borders, Widget};
 use unicode_width::UnicodeWidthStr;
 
 use crate::number::{digits, plain};
-use crate::screen::draw::{Pen, cut, short};
+use crate::screen::draw::{Pen, cut, short, wrapped};
 use crate::screen::state::{Role, Series, State};
 use assur_picture::Results;
 
@@ -46,14 +46,23 @@ fn draw_list(pen: &mut Pen<'_>, area: Rect) {
     pen.put(area, column, 0, &place, Role::Plain);
     let widest = what.values.iter().map(|value| value.key.to_string().width()).max().unwrap_or(0);
     let widest = widest.min(KEYS).min(usize::from(area.width).saturating_sub(VALUE));
-    let rows = usize::from(inner.height);
+    let room = usize::from(area.width).saturating_sub(widest + 5);
+    // What is cut of the chosen one is told in full below.
+    let whole = what.values.get(what.chosen).map(|value| (value.key.to_string(), what.shown(what.chosen)));
+    let whole = whole.filter(|(key, shown)| key.width() > widest || shown.width() > room);
+    let whole = whole.map_or_else(Vec::new, |(key, shown)| {
+        wrapped(&format!("{key}  {shown}"), usize::from(area.width).saturating_sub(4).max(1))
+    });
+    let rows = usize::from(inner.height).saturating_sub(whole.len());
+    for (row, line) in whole.iter().enumerate() {
+        pen.put(inner, 3, short(rows + row), line, Role::Dim);
+    }
     let skip = what.chosen.saturating_sub(rows / 2).min(what.values.len().saturating_sub(rows));
     for (row, (index, value)) in what.values.iter().enumerate().skip(skip).take(rows).enumerate() {
         let chosen = index == what.chosen;
         let sign = [' ', '>'][usize::from(chosen)];
         let mark = [' ', '*'][usize::from(what.is_changed(index))];
         let (key, shown) = (tail(&value.key.to_string(), widest), what.shown(index));
-        let room = usize::from(area.width).saturating_sub(widest + 5);
         // Where both don't fit, the new value is more informative than the old one.
         let shown = match shown.split_once(" -> ") {
             Some((_, new)) if shown.width() > room => format!("-> {new}"),
