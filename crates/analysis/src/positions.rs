@@ -61,7 +61,11 @@ impl Calculation {
         Ok(Analysis {
             title: mechanism.title.clone(),
             input: InputReport {
-                name: mechanism.coordinate_name().clone(),
+                link: mechanism.named_link(mechanism.input.link),
+                pair: mechanism
+                    .input
+                    .is_relative()
+                    .then(|| mechanism.named_pair(mechanism.input.driven_pair())),
                 angular: self.linkage.angular(),
                 balancing_is_moment: mechanism.balances_by_moment(),
             },

@@ -57,6 +57,9 @@ pub struct PositionError {
     /// The range around the first position in which the mechanism can be assembled, rad or m, in increasing order;
     /// `None` if it can't be assembled in the first position.
     pub range: Option<[f64; 2]>,
+    /// The values of the coordinate nearest to that of the first position with which the mechanism could be assembled, where it can't be
+    /// there and they were found.
+    pub elsewhere: Option<[f64; 2]>,
     /// A slide of the group whose guide goes through the origin of its link, which is so where a scene does not say through what:
     /// the slide and that link.
     pub by_default: Option<Box<[Name; 2]>>,
@@ -113,6 +116,9 @@ impl Describe for PositionError {
         };
         let guide = self.by_default.as_ref().filter(|_| self.range.is_none());
         let guide = guide.map(|guide| text!("kinematics-through-origin", slide = &guide[0], on = &guide[1]));
-        joined("; ", [place, range].into_iter().chain(guide))
+        let elsewhere = self
+            .elsewhere
+            .map(|[low, high]| text!("kinematics-elsewhere", low = self.show(low), high = self.show(high)));
+        joined("; ", [place, range].into_iter().chain(elsewhere).chain(guide))
     }
 }

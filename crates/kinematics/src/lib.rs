@@ -16,6 +16,7 @@ mod branch;
 mod chain;
 mod courses;
 mod dependence;
+mod elsewhere;
 mod enclosures;
 mod error;
 mod first;

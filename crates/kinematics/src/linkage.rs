@@ -7,6 +7,7 @@ use assur_mechanism::{GROUND, Mechanism, Name, Slide};
 use assur_number::{Lanes, Real, elementary};
 use assur_structure::Structure;
 
+use crate::elsewhere::elsewhere;
 use crate::follow::{coordinate_unit, follow};
 use crate::passive::{Misfit, decompose, misfits};
 use crate::ways::{END_ROUNDING, Transition, Ways, shifted};
@@ -36,6 +37,8 @@ pub struct Linkage {
     pub range: Option<AssemblyRange>,
     /// Why the first position can't be assembled, if so.
     first_failure: Option<ChainError>,
+    /// Where it could be assembled instead.
+    elsewhere: Option<[f64; 2]>,
     /// What ends the range, below and above.
     ends: [Option<ChainError>; 2],
     pub(crate) interpolants: Interpolants,
@@ -86,6 +89,8 @@ impl Linkage {
         let mut lane_chain = Chain::compile(&mechanism, &structure)?;
         lane_chain.needed = needed.to_vec();
         let followed = follow(&mechanism, &structure, (&chain, &lane_chain));
+        let is_lost = followed.range.is_none();
+        let elsewhere = is_lost.then(|| elsewhere(&mechanism, &structure, &chain)).flatten();
         let mut linkage = Self {
             mechanism,
             structure,
@@ -94,6 +99,7 @@ impl Linkage {
             ways: followed.ways,
             range: followed.range,
             first_failure: followed.first_failure,
+            elsewhere,
             ends: followed.ends,
             interpolants: followed.interpolants,
             guesses: followed.guesses,
@@ -352,6 +358,7 @@ impl Linkage {
             angular: self.angular(),
             source: failure.source,
             range: self.range.map(|range| [range.low, range.high]),
+            elsewhere: self.elsewhere,
             by_default,
         }
     }

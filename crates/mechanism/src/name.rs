@@ -195,13 +195,6 @@ impl Mechanism {
         Named { id, name: self.pair_name(id).clone() }
     }
 
-    /// What the coordinate is of: the input link, or the pair between two moving links that is driven.
-    pub fn coordinate_name(&self) -> &Name {
-        self.input
-            .placed()
-            .map_or_else(|| self.pair_name(self.input.driven_pair()), |link| &self.links[link].name)
-    }
-
     /// The name of a pin or slide.
     pub fn pair_name(&self, id: PairId) -> &Name {
         match id {

@@ -286,11 +286,17 @@ fn failure(linkage: &Linkage, index: usize, error: &PositionError) -> Text {
     let place = text!("position-at", position = number(index), at = at);
     let gap = quantity(trimmed(1e3 * gap_m, 4), "mm");
     let group = linkage.structure.group_name(&linkage.mechanism, error.group).short();
-    match linkage.range.filter(|range| !range.full) {
-        Some(range) => {
-            let [from, to] = [range.low, range.high].map(|end| quantity(plain(factor * end), unit));
+    let range = linkage.range.filter(|range| !range.full);
+    let ends = range.map(|range| [range.low, range.high].map(|end| quantity(plain(factor * end), unit)));
+    // A kind that iterates does not know by how much it misses.
+    match (gap_m > 0.0, ends) {
+        (true, Some([from, to])) => {
             text!("say-misses-beyond", gap = gap, place = place, group = group, from = from, to = to)
         }
-        None => text!("say-misses", gap = gap, place = place, group = group),
+        (true, None) => text!("say-misses", gap = gap, place = place, group = group),
+        (false, Some([from, to])) => {
+            text!("say-lost-beyond", place = place, group = group, from = from, to = to)
+        }
+        (false, None) => text!("say-lost", place = place, group = group),
     }
 }

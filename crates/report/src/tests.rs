@@ -8,7 +8,7 @@ use assur_analysis::results::{
     Analysis, Column, Cycle, InputReport, Owner, Peaks, Quantity, Schema, Section, Starts, StructureReport,
     Survey, Table,
 };
-use assur_mechanism::{Mechanism, PairId};
+use assur_mechanism::{Mechanism, Named, PairId};
 use assur_words::to_ascii;
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::record::Field;
@@ -54,7 +54,12 @@ fn analysis(angle: f64) -> Analysis {
     motion.add(Section::ALWAYS, [Column::of(Quantity::Time, Owner::Input), Column::COORDINATE]);
     Analysis {
         title: "a \"title\", with Ж and 🦀".to_owned(),
-        input: InputReport { name: "größe".into(), angular: true, balancing_is_moment: true },
+        input: InputReport {
+            link: Named { id: 1, name: "größe".into() },
+            pair: None,
+            angular: true,
+            balancing_is_moment: true,
+        },
         structure: StructureReport {
             mobility: 1,
             mobility_by_rank: None,

@@ -3,7 +3,7 @@
 use assur_check::Check;
 use assur_diagram::{Enveloping, Hodograph, PlanSheet, ReactionExtreme, SignChange};
 use assur_integrator::{Event, SolutionCost, State};
-use assur_mechanism::{Key, Name, Named, SlideId, Warning};
+use assur_mechanism::{Key, LinkId, Name, Named, PairId, SlideId, Warning};
 use assur_words::{Text, text};
 use indexmap::IndexMap;
 use serde::{Serialize, Serializer};
@@ -95,12 +95,22 @@ impl Analysis {
 /// The input link and its coordinate.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct InputReport {
-    /// What the coordinate is of: the link, or the pair between two moving links that is driven.
-    pub name: Name,
+    /// The link that is driven.
+    pub link: Named<LinkId>,
+    /// The pair in which it is driven against another moving link; `None` where it is driven against the ground.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub pair: Option<Named<PairId>>,
     /// Whether the coordinate is an angle (rad), otherwise a displacement (m).
     pub angular: bool,
     /// Whether the balancing load is a moment (N m), otherwise a force (N).
     pub balancing_is_moment: bool,
+}
+
+impl InputReport {
+    /// What the coordinate is of: the link, or the pair between two moving links.
+    pub fn name(&self) -> &Name {
+        self.pair.as_ref().map_or(&self.link.name, |pair| &pair.name)
+    }
 }
 
 /// A position that has no solution, or only a part of one.

@@ -78,7 +78,7 @@ impl<'a> Source<'a> {
 
     /// The head of a column of the coordinate: its own name, or the link whose coordinate it is.
     fn coordinate_head(&self) -> Text {
-        self.mechanism.input.name.as_ref().map_or_else(|| Text::from(&self.analysis.input.name), Text::from)
+        self.mechanism.input.name.as_ref().map_or_else(|| Text::from(self.analysis.input.name()), Text::from)
     }
 
     /// Number and coordinate of the positions.
@@ -168,7 +168,7 @@ pub fn report(source: &Source<'_>) -> Document {
     }
     for found in &analysis.cycle.plans {
         let at = source.coordinate().show(found.sheet.coordinate);
-        let (position, link) = (assur_words::number(found.index), Text::from(&analysis.input.name));
+        let (position, link) = (assur_words::number(found.index), Text::from(analysis.input.name()));
         page.heading(text!("plans-of", position, link, at));
         plans(&found.sheet, &mut page);
     }

@@ -3,6 +3,7 @@
 use assur_words::{Text, joined, name, text};
 use ratatui::layout::Rect;
 use ratatui::widgets::{Block, Clear, Widget};
+use unicode_width::UnicodeWidthStr;
 
 use crate::screen::draw::{Pen, short, wrapped};
 use crate::screen::state::{Command, Group, Help, Role, State, View};
@@ -102,8 +103,10 @@ fn rows_of_word(state: &State, id: &'static str, wanted: &str) -> Vec<Pieces> {
     let (word, meaning) = (state.told(text!(id)), state.language().own(&format!("{id}.meaning")));
     let meaning = meaning.unwrap_or_default();
     let found = [&word, &meaning].into_iter().any(|text| text.to_lowercase().contains(wanted));
+    // A long word moves its meaning to the right.
+    let end = u16::try_from(word.width()).unwrap_or(u16::MAX).saturating_add(KEYS_AT + 2);
     let words = vec![(KEYS_AT, Role::Key, word)];
-    if found { folded(state, words, NAME_AT, &meaning) } else { Vec::new() }
+    if found { folded(state, words, NAME_AT.max(end), &meaning) } else { Vec::new() }
 }
 
 /// A command and what it does; none if it does not match the search.
