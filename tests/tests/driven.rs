@@ -4,16 +4,21 @@ use assur_all as _;
 use assur_analysis::{Calculation, Options, Progress};
 use assur_report::json::analysis::to_json;
 use serde_json::Value;
+use std::error::Error;
 use std::ops::ControlFlow;
 
+type Tested = Result<(), Box<dyn Error>>;
+
 /// The results of a shipped scene at rest: without its motion.
-fn at_rest(name: &str) -> Value {
-    let mut mechanism = assur_scene::read("scene.toml", assur_fixtures::scene(name)).unwrap();
+fn at_rest(name: &str) -> Result<Value, Box<dyn Error>> {
+    let mut mechanism =
+        assur_scene::read("scene.toml", assur_fixtures::scene(name)).map_err(|faults| faults.to_string())?;
     mechanism.motion = None;
     let mut watch = |_: Progress| ControlFlow::Continue(());
-    let calculation = Calculation::of(mechanism, &Options::default(), &mut watch).unwrap();
-    let analysis = calculation.analyze(&mut watch).unwrap();
-    serde_json::from_str(&to_json(&analysis, false).unwrap()).unwrap()
+    let calculation =
+        Calculation::of(mechanism, &Options::default(), &mut watch).map_err(|error| error.to_string())?;
+    let analysis = calculation.analyze(&mut watch).map_err(|_| "stopped")?;
+    Ok(serde_json::from_str(&to_json(&analysis, false)?)?)
 }
 
 fn number(value: &Value, path: &str) -> f64 {
@@ -21,8 +26,8 @@ fn number(value: &Value, path: &str) -> f64 {
 }
 
 /// Compares numbers of every position with functions of its coordinate; limits are parts of 1 and of the number.
-fn compare(results: &Value, expected: impl Fn(f64) -> Vec<(&'static str, f64)>, limit: f64) {
-    let positions = results["positions"].as_array().unwrap();
+fn compare(results: &Value, expected: impl Fn(f64) -> Vec<(&'static str, f64)>, limit: f64) -> Tested {
+    let positions = results["positions"].as_array().ok_or("no positions")?;
     assert!(positions.len() > 10);
     for position in positions {
         let q = number(position, "/coordinate");
@@ -32,6 +37,7 @@ fn compare(results: &Value, expected: impl Fn(f64) -> Vec<(&'static str, f64)>, 
             assert!(off < limit, "at {q}: {path} is {found}, {value} expected");
         }
     }
+    Ok(())
 }
 
 /// The derivative of a function by differences of fourth order.
@@ -50,8 +56,8 @@ fn boom(s: f64) -> f64 {
 }
 
 #[test]
-fn a_cylinder_lifts_a_boom_by_the_law_of_cosines() {
-    let results = at_rest("boom");
+fn a_cylinder_lifts_a_boom_by_the_law_of_cosines() -> Tested {
+    let results = at_rest("boom")?;
     let structure = &results["structure"];
     assert_eq!(structure["formula"], "I(barrel,rod) -> II1(boom,barrel+rod)");
     assert_eq!(structure["groups"][0]["driven"], serde_json::json!(["rod/barrel"]));
@@ -78,13 +84,13 @@ fn a_cylinder_lifts_a_boom_by_the_law_of_cosines() {
             ("/slides/rod~1barrel/pf2", 0.0),
         ]
     };
-    compare(&results, expected, 1e-12);
-    compare(&results, |s| vec![("/balancing", slope(potential, s))], 1e-8);
+    compare(&results, expected, 1e-12)?;
+    compare(&results, |s| vec![("/balancing", slope(potential, s))], 1e-8)
 }
 
 #[test]
-fn a_cylinder_between_its_arms_lifts_a_table() {
-    let results = at_rest("scissor-lift");
+fn a_cylinder_between_its_arms_lifts_a_table() -> Tested {
+    let results = at_rest("scissor-lift")?;
     assert_eq!(
         results["structure"]["formula"],
         "I(barrel,rod) -> III/2(arm1,arm2,lower,barrel+rod) -> II3(upper,table)"
@@ -105,13 +111,13 @@ fn a_cylinder_between_its_arms_lifts_a_table() {
             ("/links/table/pf0", 0.0),
         ]
     };
-    compare(&results, expected, 1e-11);
-    compare(&results, |s| vec![("/balancing", slope(potential, s))], 1e-8);
+    compare(&results, expected, 1e-11)?;
+    compare(&results, |s| vec![("/balancing", slope(potential, s))], 1e-8)
 }
 
 #[test]
-fn a_drive_in_the_knee_lifts_the_trunk() {
-    let results = at_rest("leg");
+fn a_drive_in_the_knee_lifts_the_trunk() -> Tested {
+    let results = at_rest("leg")?;
     assert_eq!(results["structure"]["formula"], "I(shin,thigh) -> II2(shin+thigh,trunk)");
     let (shin, thigh) = (0.43, 0.42);
     let hips = |q: f64| (shin * shin + thigh * thigh + 2.0 * shin * thigh * q.cos()).sqrt();
@@ -131,6 +137,6 @@ fn a_drive_in_the_knee_lifts_the_trunk() {
             ("/links/shin/pf0", std::f64::consts::FRAC_PI_2 - lean(q)),
         ]
     };
-    compare(&results, expected, 1e-12);
-    compare(&results, |q| vec![("/balancing", slope(potential, q))], 1e-8);
+    compare(&results, expected, 1e-12)?;
+    compare(&results, |q| vec![("/balancing", slope(potential, q))], 1e-8)
 }

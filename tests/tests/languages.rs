@@ -190,7 +190,7 @@ fn errors_of_groups_positions_and_loads() {
             angular,
             source: gap,
             range,
-            elsewhere: range,
+            elsewhere: range.map(Box::new),
             by_default: None,
             parallel: None,
         }

@@ -32,11 +32,11 @@ fn boxed<K: GroupKind, T: Number>(frame: &GroupFrame) -> Result<Box<dyn AssurGro
 }
 
 fn one_by_one<K: GroupKind>(frame: &GroupFrame) -> Result<Box<dyn AssurGroup<Lanes>>, BuildError> {
-    in_each_lane(boxed::<K, f64>(frame)?)
+    Ok(in_each_lane(boxed::<K, f64>(frame)?))
 }
 
-fn in_each_lane(kernel: Box<dyn AssurGroup<f64>>) -> Result<Box<dyn AssurGroup<Lanes>>, BuildError> {
-    Ok(Box::new(OneByOne(kernel)))
+fn in_each_lane(kernel: Box<dyn AssurGroup<f64>>) -> Box<dyn AssurGroup<Lanes>> {
+    Box::new(OneByOne(kernel))
 }
 
 fn not_enclosed(_: &GroupFrame) -> Result<Box<dyn AssurGroup<Intervals>>, BuildError> {
@@ -91,7 +91,7 @@ macro_rules! number {
 number!(f64, double, merged);
 number!(f32, single, merged);
 number!(Dd, extended, merged);
-number!(Lanes, lanes, |builders, frame| in_each_lane(merged(builders, frame)?));
+number!(Lanes, lanes, |builders, frame| Ok(in_each_lane(merged(builders, frame)?)));
 number!(Intervals, intervals, |_, frame| not_enclosed(frame));
 
 /// The kernel of a group with driven pairs.

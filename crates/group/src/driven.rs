@@ -67,7 +67,9 @@ impl GroupFrame {
             let into = |pair: &Pair| moved(pair, one.pair.a, one.pair.b, &pose);
             merged.links.retain(|link| *link != one.pair.a);
             merged.inner.iter_mut().chain(&mut merged.outer).for_each(|pair| *pair = into(pair));
-            driven.iter_mut().for_each(|other| other.pair = into(&other.pair));
+            for other in &mut driven {
+                other.pair = into(&other.pair);
+            }
         }
         merged
     }
@@ -99,7 +101,7 @@ impl<T: Number> Merged<T> {
 
     /// The kernel with the shapes of the merged links at the present coordinate.
     fn at(&self, bodies: &[Body<T>]) -> Result<Box<dyn AssurGroup<T>>, GroupError> {
-        let numbers: Vec<_> = bodies.iter().map(|body| body.map(|number| number.to_f64())).collect();
+        let numbers: Vec<_> = bodies.iter().map(|body| body.map(Real::to_f64)).collect();
         let frame = self.frame.merged(&numbers);
         T::build(&self.builders, &frame).map_err(|_| GroupError::Singular { health: 0.0 })
     }

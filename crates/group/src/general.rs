@@ -52,18 +52,15 @@ pub(crate) fn right_side<T: Real>(frame: &GroupFrame, bodies: &[Body<T>], second
     }
     for driven in &frame.driven {
         let coordinate = &bodies[driven.coordinate];
-        right[row] = match driven_row(driven, bodies) {
-            Some(along) => {
-                // The relative acceleration of Coriolis is across the guide.
-                let own = if second { coordinate.x2 } else { coordinate.x1 };
-                let arms = arms(&driven.pair, bodies).into();
-                (relative_side(frame, bodies, &driven.pair, arms, along, second) + own)
-                    / T::from_f64(frame.scale)
-            }
-            None => {
-                let own = if second { coordinate.w2 } else { coordinate.w1 };
-                angle_side(frame, bodies, &driven.pair, second) + own
-            }
+        let [along, turn] =
+            if second { [coordinate.x2, coordinate.w2] } else { [coordinate.x1, coordinate.w1] };
+        right[row] = if let Some(direction) = driven_row(driven, bodies) {
+            // The relative acceleration of Coriolis is across the guide.
+            let arms = arms(&driven.pair, bodies).into();
+            (relative_side(frame, bodies, &driven.pair, arms, direction, second) + along)
+                / T::from_f64(frame.scale)
+        } else {
+            angle_side(frame, bodies, &driven.pair, second) + turn
         };
         row += 1;
     }

@@ -157,7 +157,9 @@ pub(crate) fn entries<T: Real>(frame: &GroupFrame, bodies: &[Body<T>], mut put: 
         next += 1;
     };
     for pair in frame.pairs() {
-        constraints(pair, bodies, frame.scale).into_iter().for_each(|sides| put_row(pair, sides));
+        for sides in constraints(pair, bodies, frame.scale) {
+            put_row(pair, sides);
+        }
     }
     for driven in &frame.driven {
         put_row(&driven.pair, driven_constraint(driven, bodies, frame.scale));

@@ -37,9 +37,8 @@ pub(crate) fn elsewhere(
     let (first, side) = tried.into_iter().find(|(number, side)| is_assembled(at(*number, *side)))?;
     let last = (first..TRIED).take_while(|number| is_assembled(at(*number, side))).last()?;
     // The ends lie between a coordinate with an assembly and one without.
-    let mut end = |inside: u32, outside: u32| {
-        bisect(at(inside, side), at(outside, side), 0.0, |coordinate| is_assembled(coordinate))[0]
-    };
+    let mut end =
+        |inside: u32, outside: u32| bisect(at(inside, side), at(outside, side), 0.0, &mut is_assembled)[0];
     let [near, far] = [end(first, first - 1), end(last, last + 1)];
     Some([near.min(far), near.max(far)])
 }

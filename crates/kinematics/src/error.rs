@@ -59,7 +59,7 @@ pub struct PositionError {
     pub range: Option<[f64; 2]>,
     /// The values of the coordinate nearest to that of the first position with which the mechanism could be assembled, where it can't be
     /// there and they were found.
-    pub elsewhere: Option<[f64; 2]>,
+    pub elsewhere: Option<Box<[f64; 2]>>,
     /// A slide of the group whose guide goes through the origin of its link, which is so where a scene does not say through what:
     /// the slide and that link.
     pub by_default: Option<Box<[Name; 2]>>,
@@ -118,7 +118,8 @@ impl Describe for PositionError {
         let guide = guide.map(|guide| text!("kinematics-through-origin", slide = &guide[0], on = &guide[1]));
         let elsewhere = self
             .elsewhere
-            .map(|[low, high]| text!("kinematics-elsewhere", low = self.show(low), high = self.show(high)));
+            .as_deref()
+            .map(|&[low, high]| text!("kinematics-elsewhere", low = self.show(low), high = self.show(high)));
         joined("; ", [place, range].into_iter().chain(elsewhere).chain(guide))
     }
 }

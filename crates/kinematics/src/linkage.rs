@@ -358,7 +358,7 @@ impl Linkage {
             angular: self.angular(),
             source: failure.source,
             range: self.range.map(|range| [range.low, range.high]),
-            elsewhere: self.elsewhere,
+            elsewhere: self.elsewhere.map(Box::new),
             by_default,
         }
     }

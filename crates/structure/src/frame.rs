@@ -189,7 +189,7 @@ pub(crate) fn frame_of(
     let mut frame = GroupFrame { links, inner: Vec::new(), outer: Vec::new(), driven, scale };
     let is_driven = |pair: PairId| !frame.driven.is_empty() && pair == mechanism.input.driven_pair();
     let is_hung = |pair: PairId, link: LinkId| {
-        !left_out.is_alone(pair, link) && !(is_driven(pair) && link == mechanism.input.link)
+        !(left_out.is_alone(pair, link) || is_driven(pair) && link == mechanism.input.link)
     };
     let mut found = pins_of(
         (mechanism, &is_hung),
