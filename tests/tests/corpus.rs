@@ -24,6 +24,8 @@ use Answer::{Message, Numbers};
 
 const ANSWERS: &[(&str, Answer)] = &[
     ("agreement-friction", Numbers(the_least_of_two_solutions)),
+    // Without a driving moment all motion is rounding: the work of it too.
+    ("andrews-at-rest", Numbers(nothing_drives)),
     ("andrews-undriven", Numbers(nothing_drives)),
     ("b-turned", Numbers(any)),
     ("balance-on-the-loaded-link", Numbers(any)),
@@ -116,6 +118,15 @@ const ANSWERS: &[(&str, Answer)] = &[
     ("hang_49fcf9055d", Message(&["too large"])),
     ("hang_eab2dafae2", Message(&["until"])),
     ("hang_gravity", Message(&["too small"])),
+    // 500 N down on a slope of -62 deg, friction of 1000 times the normal force uphill, a horizontal balancing force.
+    (
+        "incline-coefficient-1000",
+        Numbers(|found| {
+            let ((s, c), k) = (62.0_f64.to_radians().sin_cos(), 1000.0);
+            let force = 500.0 * (c - s / k) / (s + c / k);
+            is(&found["positions"][0]["balancing"], force, 1e-5)
+        }),
+    ),
     (
         "incline-6-steep-no-jam",
         Numbers(|found| is(&found["positions"][0]["balancing"], up_an_incline(), 1e-6)),

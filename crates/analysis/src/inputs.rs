@@ -106,7 +106,9 @@ fn inputs(mechanism: &Mechanism, posed: &Mechanism, position: Option<&Position>)
         one(if present { mechanism } else { posed }, input, present, position)
     };
     let relative = mechanism.input.is_relative().then_some(present);
-    let mut found: Vec<PossibleInput> = relative.into_iter().chain(possible(mechanism)).map(of).collect();
+    // A pin of a driven link may stand on the ground too: it is one input, the present one.
+    let others = possible(mechanism).into_iter().filter(|input| relative != Some(*input));
+    let mut found: Vec<PossibleInput> = relative.into_iter().chain(others).map(of).collect();
     let present = found.iter().find(|input| input.present).and_then(|input| input.class);
     for input in &mut found {
         input.simpler = input.class.zip(present).is_some_and(|(class, present)| class < present);

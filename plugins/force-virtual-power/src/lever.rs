@@ -1,6 +1,8 @@
 //! The turned velocity plan with the forces on it.
 
-use assur_force::{Acting, Construction, ConstructionStep, Drawing, UnitBalance, VectorKind};
+use assur_force::{
+    Acting, Construction, ConstructionStep, Drawing, UnitBalance, VectorKind, drive_direction,
+};
 use assur_group::Body;
 use assur_group::plane::{length, minus, opposite, perp, scaled};
 use assur_kinematics::{Linkage, Position};
@@ -195,13 +197,21 @@ impl Lever<'_> {
                 let what = text!("force-lever-balancing-moment");
                 self.couple(unit.link, size * unit.wrench(bodies).m, kind, &symbol, &what)
             }
-            (None, _, InputPair::Pin(_)) => self.couple(input, size, kind, &symbol, &on_input),
-            (None, _, InputPair::Slide(_)) => {
-                // The origin of a sliding input moves by the unit vector along the coordinate.
-                let body = &bodies[input];
-                let vector = scaled(size, [body.x1, body.y1]);
-                let image = self.image(input, [body.x, body.y]);
-                vec![force([symbol, on_input.clone()], kind, [image, vector], on_input)]
+            (None, _, pair) => {
+                // A drive between two links acts on the other one too, by the opposite load.
+                let ends = [(input, size), (mechanism.input.on, -size)];
+                let moving = ends.into_iter().filter(|(link, _)| *link != GROUND);
+                let drawn = moving.flat_map(|(link, size)| {
+                    let InputPair::Slide(slide) = pair else {
+                        return self.couple(link, size, kind, &symbol, &on_input);
+                    };
+                    let (slide, along) = (&mechanism.slides[slide], drive_direction(mechanism, bodies));
+                    let image = self.image(link, bodies[slide.link].point(slide.point));
+                    let vector = scaled(size, along.unwrap_or_default());
+                    let named = [symbol.clone(), on_input.clone()];
+                    vec![force(named, kind, [image, vector], on_input.clone())]
+                });
+                drawn.collect()
             }
         }
     }

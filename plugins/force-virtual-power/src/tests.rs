@@ -48,7 +48,8 @@ fn solve(
     out
 }
 
-const SCENES: [&str; 6] = ["shaper", "guide-shaper", "conveyor", "stephenson3", "press", "four-bar"];
+const SCENES: [&str; 8] =
+    ["shaper", "guide-shaper", "conveyor", "stephenson3", "press", "four-bar", "boom", "leg"];
 
 #[test]
 fn agrees_with_newton_euler_on_fixtures() {
