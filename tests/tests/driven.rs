@@ -2,6 +2,8 @@
 
 use assur_all as _;
 use assur_analysis::{Calculation, Options, Progress};
+use assur_group::Order;
+use assur_kinematics::Linkage;
 use assur_report::json::analysis::to_json;
 use serde_json::Value;
 use std::error::Error;
@@ -86,6 +88,22 @@ fn a_cylinder_lifts_a_boom_by_the_law_of_cosines() -> Tested {
     };
     compare(&results, expected, 1e-12)?;
     compare(&results, |s| vec![("/balancing", slope(potential, s))], 1e-8)
+}
+
+#[test]
+fn a_cylinder_that_is_too_short_is_told_how_long_it_may_be() -> Tested {
+    let mut mechanism = assur_scene::read("scene.toml", assur_fixtures::scene("boom"))
+        .map_err(|faults| faults.to_string())?;
+    mechanism.input.from = 0.1;
+    let linkage = Linkage::compile(mechanism).map_err(|error| error.to_string())?;
+    let error = linkage.solve_index(0, Order::Place, &mut linkage.position()).err().ok_or("assembled")?;
+    // Stretched and folded: the difference and the sum of the arms.
+    let (ab, ac) = (0.4_f64.hypot(0.2), 1.2_f64.hypot(0.15));
+    let ends = error.elsewhere.ok_or("no other place")?;
+    for (found, end) in ends.iter().zip([ac - ab, ac + ab]) {
+        assert!((found - end).abs() < 1e-12, "{found} is not {end}");
+    }
+    Ok(())
 }
 
 #[test]
