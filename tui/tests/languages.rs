@@ -86,7 +86,7 @@ const SHORT: &str = "[ground]\npoints = { O = [0, 0], C = [3, 0] }\n[link.crank]
 
 /// Methods of charts that no registry has.
 const METHODS: &str = "closed-form general-derivatives groups-general newton differences-2 shooting settle exact \
-                       mertsalov wittenbauer excess less inertia";
+                       mertsalov wittenbauer excess less inertia f64";
 /// Parts of a view, as the command line names them.
 const PARTS: &str = "forces velocities accelerations construction";
 /// Words of the system, and names of files and of what does not exist.
