@@ -164,6 +164,18 @@ impl Formula {
         self.differentiated(coordinate)
     }
 
+    /// The value of a formula that depends on the time alone, and its first and second derivative with respect to it; at a bend or a
+    /// jump, of one of its sides.
+    pub fn over_time(&self, time: f64) -> [f64; 3] {
+        let slope = Dual { value: 1.0, slope: 0.0 };
+        let variable = |name| match name {
+            Variable::Time => Dual { value: Dual { value: time, slope: 1.0 }, slope },
+            Variable::Coordinate | Variable::Speed | Variable::Place => Dual::of(0.0),
+        };
+        let Dual { value, slope } = self.number(Branches::default(), variable);
+        [value.value, value.slope, slope.slope]
+    }
+
     fn differentiated<N: Signed>(&self, coordinate: N) -> [N; 2] {
         let variable = |name| match name {
             Variable::Coordinate => Dual { value: coordinate, slope: N::of(1.0) },

@@ -21,6 +21,16 @@ impl<T: Scalar> Signed for T {
     }
 }
 
+impl Signed for Dual<f64> {
+    fn sign(self) -> Option<Sign> {
+        self.value.sign()
+    }
+
+    fn is_zero(self) -> bool {
+        self.value.is_zero() && self.slope.is_zero()
+    }
+}
+
 /// A number with its derivative with respect to one variable.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Dual<N> {

@@ -1,19 +1,20 @@
 //! The input: what is driven, its coordinate and the positions.
 
-use crate::{GROUND, LinkId, Name, PairId, PointId, SlideId};
+use crate::{GROUND, LinkId, Name, PairId, PointId, SlideId, TimeLaw};
 
-/// The input link, its coordinate and the positions to calculate.
+/// What is driven, the coordinate of the mechanism and the positions to calculate.
+///
+/// Where a single pair is driven without a law over time, its coordinate is that of the mechanism. Otherwise the coordinate of the
+/// mechanism is the time, transfer functions are velocities and accelerations, and the motion has speed 1 and acceleration 0.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Input {
-    /// The link that is driven.
-    pub link: LinkId,
-    /// The link against which it is driven: the ground, or a moving link (a cylinder, a motor in a joint).
-    pub on: LinkId,
-    /// The pair between both, which also defines the coordinate.
-    pub pair: InputPair,
+    /// What is driven; never empty.
+    pub drivers: Vec<Driver>,
+    /// Whether the scene gives a list of inputs: results then name each of them.
+    pub is_list: bool,
     /// What the coordinate is called in results; `None`: by no name of its own.
     pub name: Option<Name>,
-    /// Coordinate of the first position, rad or m.
+    /// Coordinate of the first position: rad, m, or s.
     pub from: f64,
     /// Number of positions, at least 1.
     pub positions: usize,
@@ -23,10 +24,73 @@ pub struct Input {
     pub direction: Sense,
 }
 
+/// A link that is driven against another one.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Driver {
+    /// The link that is driven.
+    pub link: LinkId,
+    /// The link against which it is driven: the ground, or a moving link (a cylinder, a motor in a joint).
+    pub on: LinkId,
+    /// The pair between both, which also defines the coordinate.
+    pub pair: InputPair,
+    /// What results call it: the link, slide or pin by which the scene says it.
+    pub label: Name,
+    /// Its coordinate over time; `None`: it is the coordinate of the mechanism.
+    pub law: Option<TimeLaw>,
+}
+
+/// What a coordinate is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum CoordinateKind {
+    /// An angle, rad.
+    Angle,
+    /// A displacement, m.
+    Length,
+    /// The time, s.
+    Time,
+}
+
+impl CoordinateKind {
+    /// Whether it is an angle.
+    pub fn is_angle(self) -> bool {
+        self == Self::Angle
+    }
+
+    /// Whether it is the time.
+    pub fn is_time(self) -> bool {
+        self == Self::Time
+    }
+}
+
+impl Driver {
+    /// Whether the coordinate is an angle (rad); otherwise a displacement (m).
+    pub fn is_angle(&self) -> bool {
+        matches!(self.pair, InputPair::Pin(_))
+    }
+
+    /// Whether it drives one moving link against another; otherwise one against the ground.
+    pub fn is_relative(&self) -> bool {
+        self.on != GROUND
+    }
+
+    /// The pair that is driven, as the scene names it.
+    pub fn pair_id(&self) -> PairId {
+        match self.pair {
+            InputPair::Pin(point) => PairId::Pin(point),
+            InputPair::Slide(slide) => PairId::Slide(slide),
+        }
+    }
+
+    /// Whether it drives the same pair of the same links as another one.
+    pub fn drives_as(&self, other: &Self) -> bool {
+        (self.link, self.on, self.pair) == (other.link, other.on, other.pair)
+    }
+}
+
 /// The pair that is driven.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum InputPair {
-    /// Pinned at this point; the coordinate is the angle of the x axis of the link, counted from that of [`Input::on`], rad.
+    /// Pinned at this point; the coordinate is the angle of the x axis of the link, counted from that of [`Driver::on`], rad.
     Pin(PointId),
     /// Sliding; the coordinate is the displacement of this slide, m.
     Slide(SlideId),
@@ -64,34 +128,69 @@ impl Sense {
 impl Default for Input {
     /// One turn of nothing, in one position.
     fn default() -> Self {
-        let (pair, range) = (InputPair::Pin(0), Range::Cycle(std::f64::consts::TAU));
-        let (link, on, direction) = (GROUND, GROUND, Sense::Ccw);
-        Self { link, on, pair, name: None, from: 0.0, positions: 1, range, direction }
+        let (range, direction) = (Range::Cycle(std::f64::consts::TAU), Sense::Ccw);
+        let driver = Driver {
+            link: GROUND,
+            on: GROUND,
+            pair: InputPair::Pin(0),
+            label: Name::ground(),
+            law: None,
+        };
+        Self {
+            drivers: vec![driver],
+            is_list: false,
+            name: None,
+            from: 0.0,
+            positions: 1,
+            range,
+            direction,
+        }
     }
 }
 
 impl Input {
-    /// Whether the coordinate is an angle (rad); otherwise a displacement (m).
-    pub fn is_angle(&self) -> bool {
-        matches!(self.pair, InputPair::Pin(_))
-    }
-
-    /// Whether it drives one moving link against another; otherwise one against the ground.
-    pub fn is_relative(&self) -> bool {
-        self.on != GROUND
-    }
-
-    /// The link whose pose follows from the coordinate alone; `None` where two moving links are driven.
-    pub fn placed(&self) -> Option<LinkId> {
-        (!self.is_relative()).then_some(self.link)
-    }
-
-    /// The pair that is driven, as the scene names it.
-    pub fn driven_pair(&self) -> PairId {
-        match self.pair {
-            InputPair::Pin(point) => PairId::Pin(point),
-            InputPair::Slide(slide) => PairId::Slide(slide),
+    /// What the coordinate of the mechanism is.
+    pub fn kind(&self) -> CoordinateKind {
+        match self.sole().map(|driver| driver.pair) {
+            None => CoordinateKind::Time,
+            Some(InputPair::Pin(_)) => CoordinateKind::Angle,
+            Some(InputPair::Slide(_)) => CoordinateKind::Length,
         }
+    }
+
+    /// The single thing that is driven, whose coordinate is that of the mechanism; `None` where that is the time.
+    pub fn sole(&self) -> Option<&Driver> {
+        self.drivers.first().filter(|driver| driver.law.is_none())
+    }
+
+    /// What is driven first in the order of the scene.
+    pub fn first(&self) -> &Driver {
+        &self.drivers[0]
+    }
+
+    /// Whether the coordinate of the mechanism is an angle (rad).
+    pub fn is_angle(&self) -> bool {
+        self.kind().is_angle()
+    }
+
+    /// The links that are driven against the ground, whose poses follow from their coordinates alone.
+    pub fn placed(&self) -> impl Iterator<Item = LinkId> + '_ {
+        self.drivers.iter().filter(|driver| !driver.is_relative()).map(|driver| driver.link)
+    }
+
+    /// Whether a link is driven against the ground.
+    pub fn places(&self, link: LinkId) -> bool {
+        self.placed().any(|placed| placed == link)
+    }
+
+    /// The link that is driven against the ground by the coordinate of the mechanism.
+    pub fn crank(&self) -> Option<LinkId> {
+        self.sole().filter(|driver| !driver.is_relative()).map(|driver| driver.link)
+    }
+
+    /// Whether a pair is driven.
+    pub fn drives(&self, pair: PairId) -> bool {
+        self.drivers.iter().any(|driver| driver.pair_id() == pair)
     }
 
     /// Sign of the motion along the coordinate: that of `direction`, even if the positions are a range.
@@ -138,12 +237,11 @@ impl Input {
     }
 
     /// Length of one cycle of the mechanism: the cycle of the scene, or one turn (rad) for a range of a pinned input;
-    /// `None` for a range of a sliding one.
+    /// `None` for a range of a sliding one, and over time.
     pub fn period(&self) -> Option<f64> {
-        match (self.range, self.pair) {
-            (Range::Cycle(cycle), _) => Some(cycle),
-            (Range::To(_), InputPair::Pin(_)) => Some(std::f64::consts::TAU),
-            (Range::To(_), InputPair::Slide(_)) => None,
+        match self.range {
+            Range::Cycle(cycle) => Some(cycle),
+            Range::To(_) => self.is_angle().then_some(std::f64::consts::TAU),
         }
     }
 }

@@ -16,6 +16,7 @@ mod name;
 mod numbers;
 mod point;
 mod size;
+mod time_law;
 mod warning;
 
 pub use drive::{
@@ -24,7 +25,7 @@ pub use drive::{
 };
 pub use friction::{Friction, Middle, Surfaces};
 pub use inertia::{Inertia, VaryingInertia};
-pub use input::{Input, InputPair, Range, Sense};
+pub use input::{CoordinateKind, Driver, Input, InputPair, Range, Sense};
 pub use key::{Key, Step};
 pub use law::{LawTable, Over, Shape, Value};
 pub use load::{Balance, Brake, Contact, Direction, Force, Load, LoadKind, Moment, Spring};
@@ -35,6 +36,7 @@ pub use size::{
     LONGEST_NAME, MOST_KEPT, MOST_LINKS, MOST_LOADS, MOST_PARTS_DRAWN, MOST_PARTS_KEPT, MOST_PARTS_SAMPLED,
     MOST_PLACES, MOST_SAMPLES, MOST_SLIDES, MOST_STEPS_KEPT,
 };
+pub use time_law::{Pieces, TimeLaw};
 pub use warning::{Warning, WarningKind};
 
 assur_words::resources!();
@@ -203,8 +205,8 @@ impl Mechanism {
             == [other.links.len(), other.points.len(), other.slides.len()]
             && self.points.iter().zip(&other.points).all(same_links)
             && self.slides.iter().zip(&other.slides).all(same_guide)
-            && (self.input.link, self.input.on, self.input.pair)
-                == (other.input.link, other.input.on, other.input.pair)
+            && self.input.drivers.len() == other.input.drivers.len()
+            && self.input.drivers.iter().zip(&other.input.drivers).all(|(one, other)| one.drives_as(other))
     }
 
     /// The point of this name.
@@ -237,7 +239,7 @@ impl Mechanism {
         }
         let inertia = found.inertia.constant();
         let massless = found.mass <= 0.0 && inertia <= 0.0;
-        massless || Some(link) == self.input.placed() || inertia <= 0.0 && self.points.iter().any(rests)
+        massless || self.input.crank() == Some(link) || inertia <= 0.0 && self.points.iter().any(rests)
     }
 
     /// Whether the reduced moment of inertia J of all moving links is the same at every coordinate, by structure. It
@@ -250,7 +252,7 @@ impl Mechanism {
     pub fn balances_by_moment(&self) -> bool {
         match self.balance {
             Some(balance) => matches!(balance, Balance::Moment(_)),
-            None => matches!(self.input.pair, InputPair::Pin(_)),
+            None => self.input.first().is_angle(),
         }
     }
 

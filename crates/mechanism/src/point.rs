@@ -21,8 +21,8 @@ impl ReductionPoint {
     /// The named point of the input link farthest from its pin; of equal ones, the first of the scene. `None` where every point
     /// lies at the pin, and where two moving links are driven.
     pub fn farthest(mechanism: &Mechanism) -> Option<Self> {
-        let link = mechanism.input.placed()?;
-        let pin = match mechanism.input.pair {
+        let link = mechanism.input.crank()?;
+        let pin = match mechanism.input.first().pair {
             InputPair::Pin(pin) => Some(mechanism.place_in(pin, link)?),
             InputPair::Slide(_) => None,
         };
