@@ -3,7 +3,7 @@
 use assur_group::plane::{self, vector};
 use assur_group::{Body, Wrench};
 use assur_kinematics::Linkage;
-use assur_mechanism::{Balance, InputPair, LinkId, Mechanism};
+use assur_mechanism::{Balance, Driver, InputPair, LinkId, Mechanism};
 use assur_number::{ROUNDING, Real, elementary};
 use assur_words::text;
 
@@ -25,12 +25,12 @@ enum UnitLoad {
     Force { at: [f64; 2], along: [f64; 2] },
 }
 
-/// The direction of the force of the drive on the input link, in the ground's frame; `None` where it is a moment.
-pub fn drive_direction<T: Real>(mechanism: &Mechanism, bodies: &[Body<T>]) -> Option<[T; 2]> {
-    let InputPair::Slide(slide) = mechanism.input.pair else { return None };
+/// The direction of the force of a drive on the link that it drives, in the ground's frame; `None` where it is a moment.
+pub fn drive_direction<T: Real>(mechanism: &Mechanism, driver: &Driver, bodies: &[Body<T>]) -> Option<[T; 2]> {
+    let InputPair::Slide(slide) = driver.pair else { return None };
     let slide = &mechanism.slides[slide];
     let along = bodies[slide.on].turned(plane::direction(slide.angle));
-    Some(if slide.link == mechanism.input.link { along } else { plane::opposite(along) })
+    Some(if slide.link == driver.link { along } else { plane::opposite(along) })
 }
 
 /// The balancing load does no work at a position (in a lane), so that it can't balance anything there.
@@ -46,7 +46,7 @@ impl UnitBalance {
     pub fn of(mechanism: &Mechanism) -> Option<Self> {
         match mechanism.balance? {
             Balance::Moment(link) => {
-                let drives = mechanism.input.is_angle() && mechanism.input.placed() == Some(link);
+                let drives = mechanism.input.is_angle() && mechanism.input.crank() == Some(link);
                 (!drives).then_some(Self { link, load: UnitLoad::Moment })
             }
             Balance::Force { at, angle } => {
@@ -83,7 +83,7 @@ impl UnitBalance {
     /// [`IdleBalance`] where the load does no work in a lane.
     pub fn size<T: Real>(&self, others: T, unit: T, linkage: &Linkage) -> Result<T, IdleBalance> {
         let scale = linkage.structure.scale;
-        let typical = match (self.load, linkage.mechanism.input.pair) {
+        let typical = match (self.load, linkage.mechanism.input.first().pair) {
             (UnitLoad::Force { .. }, InputPair::Pin(_)) => scale,
             (UnitLoad::Force { .. }, InputPair::Slide(_)) | (UnitLoad::Moment, InputPair::Pin(_)) => 1.0,
             (UnitLoad::Moment, InputPair::Slide(_)) => 1.0 / scale,
@@ -113,8 +113,10 @@ pub struct Reactions<T = f64> {
     /// link. NaN where the method gives no reactions.
     pub pairs: Vec<Wrench<T>>,
     /// Moment (N m, counter-clockwise) or force (N, along the slide or along the direction of `[balance]`) that keeps the
-    /// mechanism in its motion.
+    /// mechanism in its motion; over time the power of all drives, W.
     pub balancing: T,
+    /// Over time the load of each drive in the order of the scene: a moment (N m) or a force (N). Empty otherwise.
+    pub drives: Vec<T>,
     /// The balancing load of size 1; `None` where the drive balances.
     pub unit: Option<UnitBalance>,
     /// For each group, whether its equations are solved. The reactions of the others stay exactly zero: those of a
@@ -141,6 +143,7 @@ impl<T: Real> Reactions<T> {
         let pairs = vec![Wrench::ZERO; linkage.structure.pairs.len()];
         Self {
             balancing: T::from_f64(f64::NAN),
+            drives: Vec::new(),
             unit: UnitBalance::of(&linkage.mechanism),
             solved: groups.map(|group| linkage.chain.needed[group]).collect(),
             open: Vec::new(),

@@ -6,7 +6,7 @@ use assur_formula::Formula;
 use assur_group::Body;
 use assur_kinematics::{AssemblyRange, Linkage};
 use assur_mechanism::{
-    Contact, Direction, Force, GROUND, InputPair, LawTable, LinkId, Load, LoadId, LoadKind, Mechanism, Over,
+    Contact, Direction, Driver, Force, GROUND, InputPair, LawTable, LinkId, Load, LoadId, LoadKind, Mechanism, Over,
     Place, Value,
 };
 use assur_number::elementary;
@@ -57,8 +57,9 @@ impl Loads {
         let (mechanism, scale) = (&linkage.mechanism, linkage.structure.scale);
         let input = &mechanism.input;
         let standing = if input.is_angle() { 1e-14 * scale } else { 1e-14 };
-        let pin = match input.pair {
-            InputPair::Pin(point) => mechanism.place_in(point, input.link),
+        let crank = input.sole().filter(|driver| !driver.is_relative());
+        let pin = |driver: &Driver| match driver.pair {
+            InputPair::Pin(point) => mechanism.place_in(point, driver.link),
             InputPair::Slide(_) => None,
         };
         let mut loads = Self {
@@ -71,7 +72,7 @@ impl Loads {
             standing,
             inertia_constant: mechanism.has_constant_reduced_inertia(),
             links: mechanism.links.len(),
-            input: input.placed().map(|link| (link, pin)),
+            input: crank.map(|driver| (driver.link, pin(driver))),
         };
         let compiler = Compiler { linkage, mechanism, earlier };
         for (id, load) in mechanism.loads.iter().enumerate() {
@@ -176,7 +177,7 @@ impl<'a> Compiler<'a> {
         let (bearings, structure) =
             (Bearing::all(self.linkage, &self.span_of_friction()), &self.linkage.structure);
         let unknowns = Unknown::all(self.mechanism, structure, &bearings);
-        let (blocks, whole) = Block::all(structure, self.mechanism.input.placed(), &bearings, &unknowns);
+        let (blocks, whole) = Block::all(structure, &self.mechanism.input, &bearings, &unknowns);
         loads.frictions = Some(Arc::new(Frictions { bearings, unknowns, blocks, whole }));
     }
 

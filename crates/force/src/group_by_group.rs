@@ -2,9 +2,11 @@
 
 use assur_group::{AssurGroup, Body, GroupError, Number, Pair, PairGeometry, Wrench, plane};
 use assur_kinematics::Linkage;
+use assur_mechanism::Driver;
+use assur_structure::NamedPair;
 use assur_number::Real;
 
-use crate::{ForceError, Reactions, UnitBalance, balance::IdleBalance};
+use crate::{ForceError, Reactions, UnitBalance, balance::IdleBalance, drive_direction};
 
 /// Why there are no reactions.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -104,7 +106,8 @@ where
 }
 
 /// The load of the drive, where the reactions of all groups and the loads of an input link are known: a moment (N m), or a force along
-/// the guide (N). Of an input link the reaction of its pair is written too; a driven pair of a group loses the part of the drive.
+/// the guide (N); over time the power of all drives, W. Of an input link the reaction of its pair is written too; a driven pair of a
+/// group loses the part of the drive.
 #[inline(always)]
 pub fn drive<T: Real>(
     linkage: &Linkage,
@@ -112,13 +115,90 @@ pub fn drive<T: Real>(
     loads: &[Wrench<T>],
     pairs: &mut [Wrench<T>],
 ) -> T {
-    let pair = &linkage.structure.pairs[0].pair;
-    let Some(input) = linkage.mechanism.input.placed() else {
-        return drive_of_pair(pair, bodies, &mut pairs[0]);
-    };
-    let (reaction, drive) = input_link(pair, input, bodies, loads);
-    pairs[0] = reaction;
+    let input = &linkage.mechanism.input;
+    if let Some(driver) = input.sole() {
+        let pair = &linkage.structure.pairs[0].pair;
+        // The coordinate is the displacement along the guide, so that PF1 of the origin is the guide's direction.
+        let along = [bodies[driver.link].x1, bodies[driver.link].y1];
+        return drive_of(driver, (pair, along), bodies, (loads, &mut pairs[0]));
+    }
+    let mut power = T::ZERO;
+    for (id, driver) in input.drivers.iter().enumerate() {
+        let pair = &linkage.structure.pairs[id].pair;
+        let along = drive_direction(&linkage.mechanism, driver, bodies).unwrap_or([T::ZERO; 2]);
+        let load = drive_of(driver, (pair, along), bodies, (loads, &mut pairs[id]));
+        power += load * rate(pair, bodies);
+    }
+    power
+}
+
+/// The load of one drive; `along`: the direction of the force on its link, of a slide.
+#[inline(always)]
+fn drive_of<T: Real>(
+    driver: &Driver,
+    (pair, along): (&Pair, [T; 2]),
+    bodies: &[Body<T>],
+    (loads, reaction): (&[Wrench<T>], &mut Wrench<T>),
+) -> T {
+    if driver.is_relative() {
+        return drive_of_pair(pair, bodies, reaction);
+    }
+    let (found, drive) = input_link(pair, (driver.link, along), bodies, loads);
+    *reaction = found;
     drive
+}
+
+/// The speed at which the coordinate of a pair changes: the angle of `a` counted from `b`, or the displacement along the guide of `b`.
+#[inline]
+pub fn rate<T: Real>(pair: &Pair, bodies: &[Body<T>]) -> T {
+    let [a, b] = [&bodies[pair.a], &bodies[pair.b]];
+    match pair.geometry {
+        PairGeometry::Pin { .. } => a.w1 - b.w1,
+        PairGeometry::Slide { point, angle, .. } => {
+            let along = b.turned(plane::direction(angle));
+            let arm = a.arm(plane::vector(point));
+            // As a point of the guide's body.
+            let there = plane::minus(a.point(plane::vector(point)), b.origin());
+            plane::dot(along, plane::minus(a.first(arm), b.first(there)))
+        }
+    }
+}
+
+/// The load of each drive over time from the reactions in all pairs, by the equilibrium of the link that it drives: a moment (N m), or
+/// a force along the guide (N). `loads`: on each body, about the origin of its frame, without reactions.
+pub fn drives<T: Real>(
+    linkage: &Linkage,
+    bodies: &[Body<T>],
+    loads: &[Wrench<T>],
+    reactions: &[Wrench<T>],
+    out: &mut Vec<T>,
+) {
+    out.clear();
+    for (id, driver) in linkage.mechanism.input.drivers.iter().enumerate() {
+        let (link, mut sum) = (driver.link, loads[driver.link]);
+        for NamedPair { pair, .. } in linkage.structure.pairs.iter().filter(|one| one.pair.joins(link)) {
+            let point = place_of(pair, bodies);
+            let reaction = &reactions[pair.id];
+            let sign = if pair.a == link { T::ONE } else { -T::ONE };
+            let arm = plane::minus(point, bodies[link].origin());
+            sum.add_at(arm, plane::scaled(sign, reaction.force()), sign * reaction.m);
+        }
+        let pair = &linkage.structure.pairs[id].pair;
+        let own = plane::minus(place_of(pair, bodies), bodies[link].origin());
+        out.push(match drive_direction(&linkage.mechanism, driver, bodies) {
+            Some(along) => -plane::dot(sum.force(), along),
+            None => -sum.about(own),
+        });
+    }
+}
+
+/// Where the reaction of a pair acts, m.
+fn place_of<T: Real>(pair: &Pair, bodies: &[Body<T>]) -> [T; 2] {
+    match pair.geometry {
+        PairGeometry::Pin { at_a: at, .. } | PairGeometry::Slide { point: at, .. } => {
+            bodies[pair.a].point(plane::vector(at))
+        }
+    }
 }
 
 /// The load of the drive of a pair between two moving links, which is taken out of what the pair exerts on its body `a`: the moment of a
@@ -139,7 +219,12 @@ pub fn drive_of_pair<T: Real>(pair: &Pair, bodies: &[Body<T>], reaction: &mut Wr
 
 /// Equilibrium of the input link: the reaction on body `a` of its pair with the ground, and the load of the drive.
 #[inline(always)]
-fn input_link<T: Real>(pair: &Pair, input: usize, bodies: &[Body<T>], loads: &[Wrench<T>]) -> (Wrench<T>, T) {
+fn input_link<T: Real>(
+    pair: &Pair,
+    (input, along): (usize, [T; 2]),
+    bodies: &[Body<T>],
+    loads: &[Wrench<T>],
+) -> (Wrench<T>, T) {
     let (body, load) = (&bodies[input], &loads[input]);
     let on_input = pair.a == input;
     let signed = |x: T| if on_input { x } else { -x };
@@ -150,9 +235,7 @@ fn input_link<T: Real>(pair: &Pair, input: usize, bodies: &[Body<T>], loads: &[W
             (reaction, -load.about(body.arm(own)))
         }
         PairGeometry::Slide { point, .. } => {
-            // The coordinate is the displacement along the guide, so that PF1 of the origin is the guide's direction.
-            // The drive takes the component along it, the guide the one across.
-            let along = [body.x1, body.y1];
+            // The drive takes the component along the guide, the guide the one across.
             let force = load.force();
             let across = plane::cross(along, force);
             let [x, y] = bodies[pair.a].point(plane::vector(point));

@@ -2,10 +2,11 @@
 
 use std::collections::BTreeSet;
 
-use assur_group::Wrench;
+use assur_group::{Body, Wrench};
 use assur_kinematics::{LanePosition, Linkage, Position};
 use assur_number::{Lanes, Real};
 
+use crate::group_by_group::drives;
 use crate::sharing::size;
 use crate::{ForceAnalyzer, ForceError, FrictionIteration, LoadState, Loads, Reactions, applicable};
 
@@ -54,7 +55,12 @@ impl<'a> Kinetostatics<'a> {
             return Err(ForceError::ChangePoint(position.coordinate));
         }
         self.load(state, position);
+        let is_timed = self.linkage.kind().is_time();
+        let given = if is_timed { self.wrenches.clone() } else { Vec::new() };
         let found = self.analyzer.solve(self.linkage, position, &mut self.wrenches, &mut self.reactions);
+        if is_timed {
+            self.reactions.find_drives(self.linkage, &position.bodies, &given);
+        }
         if found.is_ok() && self.reactions.balancing.is_finite() {
             return found;
         }
@@ -174,7 +180,12 @@ impl<'a> LaneKinetostatics<'a> {
                 loads.turn_to_senses(state, &mut friction.senses, |all| &mut all.0[lane]);
             }
         }
+        let is_timed = linkage.kind().is_time();
+        let given = if is_timed { self.wrenches.clone() } else { Vec::new() };
         let together = analyzer.solve_lanes(linkage, position, &mut self.wrenches, &mut self.reactions);
+        if is_timed {
+            self.reactions.find_drives(linkage, &position.bodies, &given);
+        }
         let near = position.coordinates.0.map(|coordinate| linkage.is_interpolated(coordinate));
         let valueless = self.reactions.balancing.0.map(|load| !load.is_finite());
         if together && (near, valueless) == ([false; Lanes::WIDTH], [false; Lanes::WIDTH]) {
@@ -237,6 +248,13 @@ impl<'a> LaneKinetostatics<'a> {
     }
 }
 
+impl<T: Real> Reactions<T> {
+    /// Finds the load of each drive over time from the reactions, under these loads.
+    fn find_drives(&mut self, linkage: &Linkage, bodies: &[Body<T>], loads: &[Wrench<T>]) {
+        drives(linkage, bodies, loads, &self.pairs, &mut self.drives);
+    }
+}
+
 impl Reactions<Lanes> {
     /// Puts the reactions of one position into a lane.
     fn put(&mut self, lane: usize, one: &Reactions) {
@@ -244,6 +262,8 @@ impl Reactions<Lanes> {
             all.iter_mut().zip(one).for_each(|(all, one)| all.0[lane] = *one);
         };
         self.balancing.0[lane] = one.balancing;
+        self.drives.resize(one.drives.len(), Lanes::ZERO);
+        put(&mut self.drives, &one.drives);
         self.further.resize(one.further.len(), Lanes::ZERO);
         put(&mut self.further, &one.further);
         self.pairs.iter_mut().zip(&one.pairs).for_each(|(all, one)| all.set_lane(lane, one));

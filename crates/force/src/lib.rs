@@ -51,7 +51,7 @@ pub use friction::{
     Accelerations, Bearing, Block, Doubt, Followed, FreeMotion, FrictionForces, FrictionIteration,
     FrictionSolution, Frictions, Unknown, UnknownKind,
 };
-pub use group_by_group::{Unsolved, drive, drive_of_pair, group_by_group};
+pub use group_by_group::{Unsolved, drive, drive_of_pair, drives, group_by_group, rate};
 pub use joints::{Joint, JointReaction, joints};
 pub use kinetostatics::{Kinetostatics, LaneKinetostatics};
 pub use loads::{Cause, Loads};

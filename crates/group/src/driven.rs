@@ -19,6 +19,17 @@ const SOME_ANGLE: f64 = 0.739_085_133_215_160_6;
 const WELL_PLACED: f64 = 1e-3;
 
 impl Driven {
+    /// Pose of the held body in the frame of the other one.
+    fn pose<T: Real>(&self, held: usize, bodies: &[Body<T>]) -> Body<T> {
+        let pose = self.relative(bodies);
+        if held == self.pair.a {
+            return pose;
+        }
+        let mut inverse = Body::ground();
+        inverse.put([pose.c, -pose.s], pose.origin(), [T::ZERO; 2]);
+        inverse
+    }
+
     /// Pose of `a` in the frame of `b` at the present coordinate.
     fn relative<T: Real>(&self, bodies: &[Body<T>]) -> Body<T> {
         let coordinate = &bodies[self.coordinate];
@@ -57,19 +68,35 @@ fn moved(pair: &Pair, from: usize, into: usize, pose: &Body<f64>) -> Pair {
 }
 
 impl GroupFrame {
+    /// The driven pairs in an order in which they place links: each with the link that it holds, and the body in which it holds it, which
+    /// is not held by a later one.
+    pub fn held(&self) -> Vec<(Driven, [usize; 2])> {
+        let mut left = self.driven.clone();
+        let mut found: Vec<(Driven, [usize; 2])> = Vec::with_capacity(left.len());
+        while !left.is_empty() {
+            let is_fixed =
+                |body: usize| self.column(body).is_none() || found.iter().any(|(_, ends)| ends.contains(&body));
+            let hung = left.iter().position(|one| is_fixed(one.pair.a) || is_fixed(one.pair.b));
+            // Links that hold each other alone: the one that is not driven against another carries the others.
+            let is_driven = |body: usize| left.iter().any(|one| one.pair.a == body);
+            let first = || left.iter().position(|one| !is_driven(one.pair.b));
+            let next = hung.or_else(first).unwrap_or(0);
+            let Pair { a, b, .. } = left[next].pair;
+            let ends = if is_fixed(a) && !is_fixed(b) { [b, a] } else { [a, b] };
+            found.push((left.remove(next), ends));
+        }
+        found
+    }
+
     /// The same group with the two links of each driven pair as one, at the coordinates and places of these bodies.
     #[must_use]
     pub fn merged(&self, bodies: &[Body<f64>]) -> Self {
         let mut merged = Self { driven: Vec::new(), ..self.clone() };
-        let mut driven = self.driven.clone();
-        while let Some(one) = driven.pop() {
-            let pose = one.relative(bodies);
-            let into = |pair: &Pair| moved(pair, one.pair.a, one.pair.b, &pose);
-            merged.links.retain(|link| *link != one.pair.a);
-            merged.inner.iter_mut().chain(&mut merged.outer).for_each(|pair| *pair = into(pair));
-            for other in &mut driven {
-                other.pair = into(&other.pair);
-            }
+        for (one, [held, carrier]) in self.held().into_iter().rev() {
+            let pose = one.pose(held, bodies);
+            merged.links.retain(|link| *link != held);
+            let pairs = merged.inner.iter_mut().chain(&mut merged.outer);
+            pairs.for_each(|pair| *pair = moved(pair, held, carrier, &pose));
         }
         merged
     }
@@ -88,6 +115,8 @@ impl GroupFrame {
 #[derive(Debug)]
 pub(crate) struct Merged<T: Real> {
     frame: GroupFrame,
+    /// Its driven pairs in the order in which they place links.
+    held: Vec<(Driven, [usize; 2])>,
     builders: Builders,
     /// The kernel at some coordinate: for what does not depend on it.
     any: Box<dyn AssurGroup<T>>,
@@ -96,7 +125,7 @@ pub(crate) struct Merged<T: Real> {
 impl<T: Number> Merged<T> {
     pub(crate) fn new(builders: &Builders, frame: &GroupFrame) -> Result<Self, BuildError> {
         let any = T::build(builders, &frame.merged_pattern())?;
-        Ok(Self { frame: frame.clone(), builders: *builders, any })
+        Ok(Self { frame: frame.clone(), held: frame.held(), builders: *builders, any })
     }
 
     /// The kernel with the shapes of the merged links at the present coordinate.
@@ -108,11 +137,10 @@ impl<T: Number> Merged<T> {
 
     /// Sets the links that are merged into others.
     fn spread(&self, bodies: &mut [Body<T>]) {
-        for driven in &self.frame.driven {
-            let (pose, Pair { a, b, .. }) = (driven.relative(bodies), driven.pair);
-            let on = bodies[b];
+        for (driven, [held, carrier]) in &self.held {
+            let (pose, on) = (driven.pose(*held, bodies), bodies[*carrier]);
             let place = on.point(pose.origin());
-            bodies[a].put(on.turned([pose.c, pose.s]), [T::ZERO; 2], place);
+            bodies[*held].put(on.turned([pose.c, pose.s]), [T::ZERO; 2], place);
         }
     }
 

@@ -75,8 +75,8 @@ impl Pair {
     }
 }
 
-/// A driven pair between two links of a group: their relative motion is a coordinate of the mechanism, so that both are one rigid
-/// link whose shape depends on it.
+/// A driven pair of a link of a group: its motion relative to another link of the group, or to an outer body, follows a coordinate, so
+/// that both are one rigid link whose shape depends on it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Driven {
     /// The pair; `a` is the link that is driven, `b` the one against which it is.
@@ -95,7 +95,7 @@ pub struct GroupFrame {
     pub inner: Vec<Pair>,
     /// Pairs to outer bodies, which are solved before the group; `a` or `b` may be the link of the group.
     pub outer: Vec<Pair>,
-    /// Driven pairs between two links of the group, which are not among the inner pairs.
+    /// Driven pairs of its links with each other, or of one with an outer body; they are not among the inner and outer pairs.
     pub driven: Vec<Driven>,
     /// A typical length of the mechanism, m. It makes determinants dimensionless where the group has no length of its
     /// own.
@@ -111,7 +111,8 @@ impl GroupFrame {
     /// The bodies outside of the group from whose poses its own follow, the ground excepted; one may stand several times.
     pub fn carriers(&self) -> impl Iterator<Item = usize> {
         let ends = self.outer.iter().flat_map(|pair| [pair.a, pair.b]);
-        let bodies = ends.chain(self.driven.iter().map(|driven| driven.coordinate));
+        let driven = self.driven.iter().flat_map(|driven| [driven.pair.a, driven.pair.b, driven.coordinate]);
+        let bodies = ends.chain(driven);
         bodies.filter(|body| *body != 0 && self.column(*body).is_none())
     }
 

@@ -2,13 +2,13 @@
 
 use assur_group::plane::{plus, scaled, vector};
 use assur_group::{Anchor, AssurGroup, Body, GroupError, Number, Order};
-use assur_mechanism::{InputPair, Mechanism};
+use assur_mechanism::{Driver, InputPair, Mechanism, TimeLaw};
 use assur_number::Real;
 use assur_structure::Structure;
 
 use crate::{CompileError, passive::hang::Hanging};
 
-/// The input in one number type.
+/// What is driven, in one number type.
 #[derive(Debug, Clone, Copy)]
 pub enum ChainInput<T> {
     /// Pinned to the ground; the coordinate is its angle.
@@ -63,8 +63,10 @@ pub struct ChainError {
 /// Input and groups in one number type.
 #[derive(Debug)]
 pub struct Chain<T: Number> {
-    /// The input link.
-    pub input: ChainInput<T>,
+    /// What is driven, in the order of the scene.
+    pub inputs: Vec<ChainInput<T>>,
+    /// The coordinate of each over time; empty where the only one has that of the chain.
+    laws: Vec<TimeLaw>,
     /// The groups in solving order.
     pub groups: Vec<Box<dyn AssurGroup<T>>>,
     /// Whether each group is solved; all are at first. No needed group may depend on one that is not.
@@ -87,43 +89,68 @@ impl<T: Number> Chain<T> {
         }
         let needed = vec![true; groups.len()];
         let hanging = structure.passive.iter().filter_map(|passive| Hanging::of(&passive.frame)).collect();
-        let input = input_of(mechanism);
-        let bodies = structure.links.max(input.body() + 1);
-        Ok(Self { input, groups, needed, bodies, hanging })
+        let drivers = mechanism.input.drivers.iter();
+        let inputs: Vec<_> = drivers.clone().enumerate().map(|of| input_of(mechanism, of)).collect();
+        let laws = drivers.filter_map(|driver| driver.law.clone()).collect();
+        let bodies = inputs.iter().map(|input| input.body() + 1).fold(structure.links, usize::max);
+        Ok(Self { inputs, laws, groups, needed, bodies, hanging })
     }
 
-    /// Bodies at rest at the origin, as storage for a solution: one for each link, and where two moving links are driven one for the
-    /// coordinate after them.
+    /// Bodies at rest at the origin, as storage for a solution: one for each link, and after them one for the coordinate of each drive
+    /// between two moving links.
     pub fn bodies(&self) -> Vec<Body<T>> {
         vec![Body::ground(); self.bodies]
     }
 
-    /// Places the input; its derivatives are exact.
+    /// Places what is driven; the derivatives are exact.
     #[inline]
     pub fn set_input(&self, coordinate: T, bodies: &mut [Body<T>]) {
+        if let (true, [input]) = (self.laws.is_empty(), &self.inputs[..]) {
+            return Self::drive(*input, [coordinate, T::ONE, T::ZERO], bodies);
+        }
+        for (input, law) in self.inputs.iter().zip(&self.laws) {
+            Self::drive(*input, coordinate.by_lane(|time| law.at(time)), bodies);
+        }
+    }
+
+    /// Places what is driven by laws at a time, so that derivatives are with respect to the coordinate of one of the drives, the
+    /// others at rest.
+    pub fn set_input_of(&self, driver: usize, time: T, bodies: &mut [Body<T>]) {
+        for (index, (input, law)) in self.inputs.iter().zip(&self.laws).enumerate() {
+            let rate = if index == driver { T::ONE } else { T::ZERO };
+            let [place] = time.by_lane(|time| [law.at(time)[0]]);
+            Self::drive(*input, [place, rate, T::ZERO], bodies);
+        }
+    }
+
+    /// Places one link, or the body of a coordinate, at a coordinate with its first and second derivative.
+    #[inline(always)]
+    fn drive(input: ChainInput<T>, [coordinate, first, second]: [T; 3], bodies: &mut [Body<T>]) {
         T::evaluate(
             #[inline(always)]
-            move || match self.input {
+            move || match input {
                 ChainInput::Crank { link, ground, own } => {
                     let (s, c) = coordinate.sin_cos();
                     let body = &mut bodies[link];
-                    // PF1 and PF2 of a body that turns about a fixed point with the coordinate as its angle.
+                    // PF1 and PF2 of a body that turns about a fixed point by the coordinate as its angle.
                     let arm = own.put(body, [c, s], ground);
-                    own.put_first(body, T::ONE, arm, [T::ZERO; 2]);
-                    own.put_second(body, T::ZERO, arm, [T::ZERO; 2]);
+                    own.put_first(body, first, arm, [T::ZERO; 2]);
+                    own.put_second(body, second, arm, [T::ZERO; 2]);
                 }
                 ChainInput::Slider { link, axis, along, origin } => {
                     let body = &mut bodies[link];
                     [body.c, body.s] = axis;
                     [body.x, body.y] = plus(origin, scaled(coordinate, along));
-                    [body.x1, body.y1] = along;
+                    [body.x1, body.y1] = scaled(first, along);
+                    [body.x2, body.y2] = scaled(second, along);
                 }
                 ChainInput::Relative { body, is_angle: true } => {
                     let ((s, c), body) = (coordinate.sin_cos(), &mut bodies[body]);
-                    (body.c, body.s, body.w1) = (c, s, T::ONE);
+                    (body.c, body.s, body.w1, body.w2) = (c, s, first, second);
                 }
                 ChainInput::Relative { body, is_angle: false } => {
-                    (bodies[body].x, bodies[body].x1) = (coordinate, T::ONE);
+                    let body = &mut bodies[body];
+                    (body.x, body.x1, body.x2) = (coordinate, first, second);
                 }
             },
         );
@@ -144,6 +171,27 @@ impl<T: Number> Chain<T> {
         health: &mut [T],
     ) -> Result<(), ChainError> {
         self.solve_except(coordinate, ways, order, bodies, health, |_, _| None)
+    }
+
+    /// Solves all needed groups at one time for the derivatives with respect to the coordinate of one drive, the others at rest.
+    ///
+    /// # Errors
+    ///
+    /// [`ChainError`] as of [`solve`](Self::solve).
+    pub fn solve_of(
+        &self,
+        driver: usize,
+        time: T,
+        (ways, order): (&[u8], Order),
+        bodies: &mut [Body<T>],
+    ) -> Result<(), ChainError> {
+        self.set_input_of(driver, time, bodies);
+        for (group, kernel) in self.groups.iter().enumerate().filter(|(group, _)| self.needed[*group]) {
+            let solved = kernel.solve(bodies, usize::from(ways[group]), order);
+            solved.map_err(|source| ChainError { group, source })?;
+        }
+        self.hang(bodies, order);
+        Ok(())
     }
 
     /// Solves the needed groups at one coordinate; a group that `instead` places itself is skipped: `instead` returns
@@ -182,12 +230,12 @@ impl<T: Number> Chain<T> {
     }
 }
 
-fn input_of<T: Real>(mechanism: &Mechanism) -> ChainInput<T> {
-    let link = mechanism.input.link;
-    if mechanism.input.is_relative() {
-        return ChainInput::Relative { body: mechanism.links.len(), is_angle: mechanism.input.is_angle() };
+fn input_of<T: Real>(mechanism: &Mechanism, (index, driver): (usize, &Driver)) -> ChainInput<T> {
+    let link = driver.link;
+    if driver.is_relative() {
+        return ChainInput::Relative { body: mechanism.links.len() + index, is_angle: driver.is_angle() };
     }
-    match mechanism.input.pair {
+    match driver.pair {
         InputPair::Pin(point) => {
             let at = |body| vector(mechanism.place_in(point, body).unwrap_or_default());
             ChainInput::Crank { link, ground: at(assur_mechanism::GROUND), own: Anchor::new(at(link)) }

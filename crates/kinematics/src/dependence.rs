@@ -15,9 +15,8 @@ impl Dependence {
             group.frame.links.iter().for_each(|&link| owner[link] = Some(index));
         }
         let parents = structure.groups.iter().enumerate().map(|(index, group)| {
-            let ends = group.frame.outer.iter().flat_map(|pair| [pair.a, pair.b]);
-            let mut found: Vec<_> =
-                ends.filter_map(|end| owner[end]).filter(|&owner| owner != index).collect();
+            let owners = group.frame.carriers().filter_map(|body| *owner.get(body)?);
+            let mut found: Vec<_> = owners.filter(|&owner| owner != index).collect();
             found.sort_unstable();
             found.dedup();
             found

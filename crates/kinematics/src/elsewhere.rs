@@ -15,13 +15,13 @@ const TRIED: u32 = 720;
 const FAR: f64 = 4.0;
 
 /// The values of the coordinate nearest to that of the first position with which all groups have an assembly, from the least to the
-/// greatest; `None` where none is found, and where a group iterates, which has no pose to begin with.
+/// greatest; `None` where none is found, where a group iterates, which has no pose to begin with, and over time.
 pub(crate) fn elsewhere(
     mechanism: &Mechanism,
     structure: &Structure,
     chain: &Chain<f64>,
 ) -> Option<[f64; 2]> {
-    if structure.groups.iter().any(|group| group.plugin.iterates) {
+    if mechanism.input.kind().is_time() || structure.groups.iter().any(|group| group.plugin.iterates) {
         return None;
     }
     let mut bodies = chain.bodies();

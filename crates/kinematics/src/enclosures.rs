@@ -31,7 +31,9 @@ impl Enclosures {
         needed: &[bool],
         ways: &[u8],
     ) -> Option<Self> {
-        let mut chain = Chain::compile(mechanism, structure).ok()?;
+        // Laws over time are not enclosed.
+        let mut chain =
+            Chain::compile(mechanism, structure).ok().filter(|_| !mechanism.input.kind().is_time())?;
         chain.needed = needed.to_vec();
         // Groups that are not needed keep this.
         let health = vec![Intervals::ONE; ways.len()];

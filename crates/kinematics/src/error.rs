@@ -3,7 +3,7 @@
 use assur_group::{BuildError, GroupError};
 use assur_mechanism::{Key, Name};
 use assur_structure::StructureError;
-use assur_words::{Describe, Text, joined, list, name, text};
+use assur_words::{CoordinateKind, Describe, Text, joined, list, name, text};
 
 /// Why a mechanism can't be compiled.
 #[derive(Clone, PartialEq)]
@@ -50,8 +50,8 @@ pub struct PositionError {
     pub index: Option<usize>,
     /// The coordinate, rad or m.
     pub coordinate: f64,
-    /// Whether the coordinate is an angle.
-    pub angular: bool,
+    /// What the coordinate is.
+    pub kind: CoordinateKind,
     /// Why the group has no solution.
     pub source: GroupError,
     /// The range around the first position in which the mechanism can be assembled, rad or m, in increasing order;
@@ -73,7 +73,7 @@ const VAST: f64 = 10.0;
 impl PositionError {
     /// A coordinate in the units of messages: degrees or millimeters.
     fn show(&self, coordinate: f64) -> Text {
-        assur_words::coordinate(coordinate, self.angular, 4)
+        assur_words::coordinate(coordinate, self.kind, 4)
     }
 }
 

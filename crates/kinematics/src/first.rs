@@ -35,7 +35,8 @@ pub(crate) fn first_ways(
     let wanted = wanted(mechanism, structure);
     let mut bodies = chain.bodies();
     let mut placed = vec![false; chain.bodies().len()];
-    (placed[GROUND], placed[chain.input.body()]) = (true, true);
+    placed[GROUND] = true;
+    chain.inputs.iter().for_each(|input| placed[input.body()] = true);
     chain.set_input(from, &mut bodies);
     let mut exact = Exact { chain, extended, from, bodies: Vec::new(), groups: 0 };
     let mut least_health = f64::INFINITY;

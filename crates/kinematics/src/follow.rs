@@ -4,7 +4,7 @@
 use std::f64::consts::TAU;
 
 use assur_group::GroupError;
-use assur_mechanism::Mechanism;
+use assur_mechanism::{CoordinateKind, Driver, Input, Mechanism};
 use assur_number::Lanes;
 use assur_structure::Structure;
 
@@ -24,6 +24,9 @@ const SAMPLES: usize = 720;
 /// If the first position is itself singular, its assembly is chosen at this displacement from it, in units of the
 /// coordinate.
 const BESIDE: f64 = 1e-4;
+
+/// Over time the samples are at most those of so many turns.
+const MOST_TURNS_IN_TIME: f64 = 64.0;
 
 /// Longest motion that is followed until the modes repeat, in turns.
 const MOST_TURNS: usize = 4;
@@ -93,8 +96,11 @@ pub(crate) fn by_samples(
     let iterated = iterated(structure);
     let follower = Follower { chain, lane_chain, structure, dependence: &dependence, wide, iterated, unit };
     let mut path = Path { follower, from: mechanism.input.from, start };
-    let found =
-        if mechanism.input.is_angle() { path.turn() } else { path.stroke(mechanism, structure.scale) };
+    let found = match mechanism.input.kind() {
+        CoordinateKind::Angle => path.turn(),
+        CoordinateKind::Length => path.stroke(mechanism, structure.scale),
+        CoordinateKind::Time => path.time(mechanism, unit),
+    };
     let assembled = (&found.ways, found.guesses.as_ref());
     Followed { interpolants: Interpolants::of(structure, unit, &mut path.follower.wide, assembled), ..found }
 }
@@ -143,6 +149,18 @@ impl Path<'_> {
         self.joined(&forth, &back, None)
     }
 
+    /// Over time: from the first position to the last.
+    fn time(&mut self, mechanism: &Mechanism, unit: f64) -> Followed {
+        let [first, last] = mechanism.input.ends();
+        let length = if last > first { last - first } else { unit };
+        // As many samples as over the turns of a crank that moves as much.
+        let turns = (length / unit / TAU).clamp(1.0, MOST_TURNS_IN_TIME);
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "few turns")]
+        let forth = self.branch(length, SAMPLES * turns.ceil() as usize);
+        let back = self.branch(-length / SAMPLES as f64, 1);
+        self.joined(&forth, &back, None)
+    }
+
     fn branch(&mut self, length: f64, steps: usize) -> Branch {
         let (first, start) = &self.start;
         let branch = Branch::new(self.from, (length, steps), first, (start, &self.follower.iterated));
@@ -185,7 +203,27 @@ fn transitions(branch: &Branch, forth: bool) -> Vec<Transition> {
     all
 }
 
-/// Unit of the coordinate for steps and tolerances: 1 rad, or the typical length of the mechanism in m.
+/// Unit of the coordinate for steps and tolerances: 1 rad, the typical length of the mechanism in m, or the time in which a drive moves
+/// by that.
 pub(crate) fn coordinate_unit(mechanism: &Mechanism, structure: &Structure) -> f64 {
-    if mechanism.input.is_angle() { 1.0 } else { structure.scale }
+    match mechanism.input.kind() {
+        CoordinateKind::Angle => 1.0,
+        CoordinateKind::Length => structure.scale,
+        CoordinateKind::Time => time_unit(&mechanism.input, structure.scale),
+    }
+}
+
+/// The time in which the fastest drive moves by 1 rad or by the typical length of the mechanism on the average; at most the whole time
+/// of the motion, s.
+fn time_unit(input: &Input, scale: f64) -> f64 {
+    let [first, last] = input.ends();
+    let whole = if last > first { last - first } else { 1.0 };
+    let at = |sample: usize| first + whole * sample as f64 / SAMPLES as f64;
+    let travel = |driver: &Driver| {
+        let unit = if driver.is_angle() { 1.0 } else { scale };
+        let place = |sample: usize| driver.law.as_ref().map_or(0.0, |law| law.at(at(sample))[0]);
+        (1..=SAMPLES).map(|sample| (place(sample) - place(sample - 1)).abs() / unit).sum::<f64>()
+    };
+    let most = input.drivers.iter().map(travel).fold(0.0, f64::max);
+    if most > 1.0 { whole / most } else { whole }
 }

@@ -62,19 +62,19 @@ impl Follower<'_> {
         branch
     }
 
-    /// Places the input link at all samples.
+    /// Places what is driven at all samples.
     fn place_input(&self, branch: &mut Branch, scratch: &mut Scratch) {
-        let input = self.chain.input.body();
+        let inputs = || self.chain.inputs.iter().map(crate::ChainInput::body);
         let whole = branch.samples - branch.samples % Lanes::WIDTH;
-        branch.poses[input].reserve(branch.samples);
+        inputs().for_each(|input| branch.poses[input].reserve(branch.samples));
         for first in (0..whole).step_by(Lanes::WIDTH) {
             let coordinates = Lanes::of(|lane| branch.at(first + lane));
             self.lane_chain.set_input(coordinates, &mut scratch.lanes);
-            branch.poses[input].push_block(&scratch.lanes[input]);
+            inputs().for_each(|input| branch.poses[input].push_block(&scratch.lanes[input]));
         }
         for sample in whole..branch.samples {
             self.chain.set_input(branch.at(sample), &mut scratch.bodies);
-            branch.poses[input].push(&scratch.bodies[input]);
+            inputs().for_each(|input| branch.poses[input].push(&scratch.bodies[input]));
         }
     }
 

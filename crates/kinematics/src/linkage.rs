@@ -3,7 +3,7 @@
 use std::{f64::consts::TAU, sync::Arc};
 
 use assur_group::{AssurGroup, Body, GroupError, Order};
-use assur_mechanism::{GROUND, Mechanism, Name, Slide};
+use assur_mechanism::{CoordinateKind, GROUND, Mechanism, Name, Slide};
 use assur_number::{Lanes, Real, elementary};
 use assur_structure::Structure;
 
@@ -145,7 +145,13 @@ impl Linkage {
         self.mechanism.input.is_angle()
     }
 
-    /// Unit of the coordinate for steps and tolerances: 1 rad, or the typical length of the mechanism in m.
+    /// What the coordinate is.
+    pub fn kind(&self) -> CoordinateKind {
+        self.mechanism.input.kind()
+    }
+
+    /// Unit of the coordinate for steps and tolerances: 1 rad, the typical length of the mechanism in m, or the time in
+    /// which a drive moves by that.
     pub fn coordinate_unit(&self) -> f64 {
         coordinate_unit(&self.mechanism, &self.structure)
     }
@@ -355,7 +361,7 @@ impl Linkage {
             group_name: Box::new(self.structure.group_name(&self.mechanism, failure.group)),
             index: None,
             coordinate,
-            angular: self.angular(),
+            kind: self.kind(),
             source: failure.source,
             range: self.range.map(|range| [range.low, range.high]),
             elsewhere: self.elsewhere.map(Box::new),

@@ -111,7 +111,7 @@ impl Linkage {
         // Ground and input link are exact and come first; the others follow in the order of the scene.
         let rank = |place: &&Place| match place.link {
             0 => 0,
-            link if Some(link) == self.mechanism.input.placed() => 1,
+            link if self.mechanism.input.places(link) => 1,
             _ => 2,
         };
         places
@@ -128,8 +128,8 @@ impl Linkage {
 
     /// Motion of a slide; that of a driven one between two moving links is the coordinate itself.
     pub fn slide_motion(&self, slide: SlideId, position: &Position) -> ScalarMotion {
-        let input = &self.mechanism.input;
-        if input.is_relative() && input.pair == InputPair::Slide(slide) {
+        let sole = self.mechanism.input.sole();
+        if sole.is_some_and(|sole| sole.is_relative() && sole.pair == InputPair::Slide(slide)) {
             return ScalarMotion { pf0: position.coordinate, pf1: 1.0, pf2: 0.0 };
         }
         ScalarMotion::of_slide(&self.mechanism.slides[slide], &position.bodies)

@@ -22,8 +22,10 @@ pub fn mobility_in(linkage: &Linkage, position: &Position) -> usize {
     let mut bodies: Vec<Velocities> = vec![Vec::new(); structure.links];
     let mut motions = Motions { linkage, position, bodies: &mut bodies, count: 0 };
     // A driven pair between two moving links is among those of its group, which moves then.
-    if let Some(input) = linkage.mechanism.input.placed() {
-        motions.extend(&[input], &[structure.pairs[0].pair]);
+    for (index, driver) in linkage.mechanism.input.drivers.iter().enumerate() {
+        if !driver.is_relative() {
+            motions.extend(&[driver.link], &[structure.pairs[index].pair]);
+        }
     }
     for group in &structure.groups {
         let pairs: Vec<_> = group.frame.pairs().copied().collect();

@@ -63,7 +63,7 @@ pub(crate) fn refuse_without_start(
         let is_known = |link: usize| {
             let mut before = structure.groups[..index].iter();
             link == GROUND
-                || Some(link) == mechanism.input.placed()
+                || mechanism.input.places(link)
                 || before.any(|one| one.frame.column(link).is_some())
         };
         // A point that joins the group to what is known says nothing new.

@@ -1,5 +1,7 @@
 //! The input: what is driven, its coordinate and the positions.
 
+use assur_words::CoordinateKind;
+
 use crate::{GROUND, LinkId, Name, PairId, PointId, SlideId, TimeLaw};
 
 /// What is driven, the coordinate of the mechanism and the positions to calculate.
@@ -37,29 +39,6 @@ pub struct Driver {
     pub label: Name,
     /// Its coordinate over time; `None`: it is the coordinate of the mechanism.
     pub law: Option<TimeLaw>,
-}
-
-/// What a coordinate is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum CoordinateKind {
-    /// An angle, rad.
-    Angle,
-    /// A displacement, m.
-    Length,
-    /// The time, s.
-    Time,
-}
-
-impl CoordinateKind {
-    /// Whether it is an angle.
-    pub fn is_angle(self) -> bool {
-        self == Self::Angle
-    }
-
-    /// Whether it is the time.
-    pub fn is_time(self) -> bool {
-        self == Self::Time
-    }
 }
 
 impl Driver {
@@ -181,6 +160,11 @@ impl Input {
     /// Whether a link is driven against the ground.
     pub fn places(&self, link: LinkId) -> bool {
         self.placed().any(|placed| placed == link)
+    }
+
+    /// What drives a link against the ground, so that its pose follows from a coordinate alone: of several the first.
+    pub fn placing(&self, link: LinkId) -> Option<&Driver> {
+        self.drivers.iter().find(|driver| !driver.is_relative() && driver.link == link)
     }
 
     /// The link that is driven against the ground by the coordinate of the mechanism.

@@ -25,7 +25,8 @@ pub use drive::{
 };
 pub use friction::{Friction, Middle, Surfaces};
 pub use inertia::{Inertia, VaryingInertia};
-pub use input::{CoordinateKind, Driver, Input, InputPair, Range, Sense};
+pub use assur_words::CoordinateKind;
+pub use input::{Driver, Input, InputPair, Range, Sense};
 pub use key::{Key, Step};
 pub use law::{LawTable, Over, Shape, Value};
 pub use load::{Balance, Brake, Contact, Direction, Force, Load, LoadKind, Moment, Spring};

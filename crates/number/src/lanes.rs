@@ -83,6 +83,13 @@ impl Real for Lanes {
     fn to_f64(self) -> f64 {
         self.0[0]
     }
+    fn by_lane<const N: usize>(self, number: impl Fn(f64) -> [f64; N]) -> [Self; N] {
+        let mut all = [Self::ZERO; N];
+        for (lane, own) in self.0.into_iter().enumerate() {
+            all.iter_mut().zip(number(own)).for_each(|(all, own)| all.0[lane] = own);
+        }
+        all
+    }
     #[inline(always)]
     fn sqrt(self) -> Self {
         self.map(f64::sqrt)

@@ -95,6 +95,12 @@ pub trait Real:
     /// Sine and cosine of an angle, rad.
     fn sin_cos(self) -> (Self, Self);
 
+    /// Numbers that are found in 16 digits, lane by lane.
+    #[must_use]
+    fn by_lane<const N: usize>(self, number: impl Fn(f64) -> [f64; N]) -> [Self; N] {
+        number(self.to_f64()).map(Self::from_f64)
+    }
+
     /// Evaluates a formula with the widest instructions that the machine has for this kind of number. The closure must be
     /// `#[inline(always)]`, and so must be what it calls: the instructions of the caller reach only as far as code is inlined.
     #[inline(always)]

@@ -14,8 +14,9 @@ structure-loose = mobility { $mobility } ({ $formula }), but one input moves the
        *[other] them
     } to another link by one more pair, or remove what is loose there ({ $hint })
 structure-loose-also = {" "}(while the pairs { $pairs } have one constraint too many)
-structure-more-inputs = the mechanism has { $mobility } degrees of freedom ({ $formula }), so it takes { $mobility } inputs; only mechanisms with one are calculated. With the input fixed { $links } can still move: one more pair, or one link fewer, would leave one degree of freedom
-structure-surplus = mobility { $mobility } ({ $formula }), must be 1: { $pairs } { $count ->
+structure-more-inputs = the mechanism has { $mobility } degrees of freedom ({ $formula }), so it takes { $mobility } inputs and has { $inputs }. With these fixed { $links } can still move: give the others as entries of `[[input]]`, or take these freedoms away by a pair more or a link fewer
+structure-dependent-input = input `{ $input }`: what it drives is already determined by the inputs before it; the mechanism has { $mobility } degrees of freedom ({ $formula }) and { $inputs } inputs. Leave this input out, or drive another pair
+structure-surplus = mobility { $mobility } ({ $formula }), must be { $inputs }: { $pairs } { $count ->
         [one] gives
        *[other] give
     } one constraint too many on { $links }; remove one pair or one link there ({ structure-what-joins }: points that are not pins need names of their own){ $cause }

@@ -3,10 +3,10 @@
 use std::collections::{HashMap, HashSet, VecDeque};
 
 use assur_group::{GroupFrame, Pair, plugin_for};
-use assur_mechanism::{GROUND, InputPair, LinkId, Mechanism, Name, PairId, Point, likeness};
+use assur_mechanism::{Driver, GROUND, Input, InputPair, LinkId, Mechanism, Name, PairId, Point, likeness};
 use assur_words::{Text, joined, name, text};
 
-use crate::frame::{Incidence, LeftOut, frame_of, input_pair, pair_alone, typical_length};
+use crate::frame::{Incidence, LeftOut, driven_pairs, frame_of, pair_alone, typical_length};
 use crate::graph::{Block, Graph, Node};
 use crate::{Group, Mobility, NamedPair, Passive, PassivePart, Structure, StructureError, roman};
 
@@ -25,10 +25,10 @@ impl Structure {
         refuse_other_mobility(mechanism, mobility, &graph)?;
         let incidence = Incidence::of(mechanism);
         let scale = typical_length(mechanism);
-        let mut pairs = vec![input_pair(mechanism)];
+        let mut pairs = driven_pairs(mechanism);
         let mut rank = vec![usize::MAX; mechanism.links.len()];
         rank[GROUND] = 0;
-        if let Some(link) = mechanism.input.placed() {
+        for link in mechanism.input.placed() {
             rank[link] = 1;
         }
         let mut groups = Vec::new();
@@ -75,8 +75,8 @@ fn count(mechanism: &Mechanism) -> Mobility {
 
 /// Builds the unknowns (links and pins) and the equations between them; ground and input link are known.
 pub(crate) fn counted_system(mechanism: &Mechanism, left_out: &LeftOut) -> Graph {
-    let placed = mechanism.input.placed();
-    let known = |link: LinkId| link == GROUND || Some(link) == placed;
+    let input = &mechanism.input;
+    let known = |link: LinkId| link == GROUND || input.places(link);
     let links = (1..mechanism.links.len()).filter(|&link| !known(link) && !left_out.link(link));
     let mut nodes: Vec<Node> = links.map(Node::Link).collect();
     // A pin of which every link is left out has no place.
@@ -96,7 +96,7 @@ pub(crate) fn counted_system(mechanism: &Mechanism, left_out: &LeftOut) -> Graph
     for (id, point) in mechanism.points.iter().enumerate().filter(|(_, point)| point.is_pin()) {
         for place in point.places.iter().filter(|place| !left_out.pair(PairId::Pin(id), place.link)) {
             // The input coordinate replaces the input's own pair with the ground.
-            if Some(place.link) == placed && mechanism.input.pair == InputPair::Pin(id) {
+            if input.placing(place.link).is_some_and(|driver| driver.pair == InputPair::Pin(id)) {
                 continue;
             }
             let ends = [points[id], links[place.link]];
@@ -104,7 +104,8 @@ pub(crate) fn counted_system(mechanism: &Mechanism, left_out: &LeftOut) -> Graph
         }
     }
     for (id, slide) in mechanism.slides.iter().enumerate() {
-        if placed.is_some() && mechanism.input.pair == InputPair::Slide(id)
+        let placing = [slide.link, slide.on].into_iter().find_map(|link| input.placing(link));
+        if placing.is_some_and(|driver| driver.pair == InputPair::Slide(id))
             || left_out.pair(PairId::Slide(id), slide.link)
             || left_out.link(slide.on)
         {
@@ -113,11 +114,16 @@ pub(crate) fn counted_system(mechanism: &Mechanism, left_out: &LeftOut) -> Graph
         let ends = [links[slide.link], links[slide.on]];
         blocks.push(Block::of(2, ends, PairId::Slide(id)));
     }
-    if mechanism.input.is_relative() {
-        let ends = [mechanism.input.link, mechanism.input.on].map(|link| links[link]);
-        blocks.push(Block::of(1, ends, mechanism.input.driven_pair()));
+    for driver in input.drivers.iter().filter(|driver| !is_placing(input, driver)) {
+        let ends = [driver.link, driver.on].map(|link| links[link]);
+        blocks.push(Block::of(1, ends, driver.pair_id()));
     }
     Graph::matched(nodes, blocks)
+}
+
+/// Whether it places its link: of several drives of one link against the ground the first one does.
+fn is_placing(input: &Input, driver: &Driver) -> bool {
+    input.placing(driver.link).is_some_and(|placing| std::ptr::eq(placing, driver))
 }
 
 /// Returns an error that names the loose links or surplus pairs of a mechanism that one input does not determine.
@@ -126,6 +132,10 @@ fn refuse_other_mobility(
     counted: Mobility,
     graph: &Graph,
 ) -> Result<(), StructureError> {
+    let inputs = mechanism.input.drivers.len();
+    if let Some(input) = first_dependent(mechanism) {
+        return Err(StructureError::DependentInput { counted, inputs, input: Box::new(input) });
+    }
     let names = |links: &[LinkId]| -> Vec<String> {
         links.iter().map(|link| mechanism.links[*link].name.to_string()).collect()
     };
@@ -139,6 +149,7 @@ fn refuse_other_mobility(
     if !loose.is_empty() {
         return Err(StructureError::Loose {
             counted,
+            inputs,
             links: names(&loose),
             surplus: surplus.map_or(Vec::new(), |(pairs, _)| pairs),
             alike: alike(mechanism),
@@ -148,9 +159,25 @@ fn refuse_other_mobility(
     let Some((pairs, mut links)) = surplus else { return Ok(()) };
     if links.is_empty() {
         // Both ends of the surplus pair are known (ground and input link).
-        links.push(mechanism.input.link);
+        links.push(mechanism.input.first().link);
     }
-    Err(StructureError::Surplus { counted, pairs, links: names(&links), why: Box::default() })
+    Err(StructureError::Surplus { counted, inputs, pairs, links: names(&links), why: Box::default() })
+}
+
+/// Of several inputs the first that those before it determine.
+fn first_dependent(mechanism: &Mechanism) -> Option<Name> {
+    let drivers = &mechanism.input.drivers;
+    if drivers.len() < 2 {
+        return None;
+    }
+    let mut some = mechanism.clone();
+    let mut surplus = |inputs: usize| {
+        some.input.drivers = drivers[..inputs].to_vec();
+        Excess::of(&some, &[]).surplus
+    };
+    let before: Vec<usize> = (1..=drivers.len()).map(&mut surplus).collect();
+    let grown = before.windows(2).position(|two| two[1] > two[0])?;
+    Some(drivers[grown + 1].label.clone())
 }
 
 /// Two points of different links that stand in one link each, but have nearly the same name.
@@ -227,8 +254,10 @@ fn formula(mechanism: &Mechanism, groups: &[Group]) -> Name {
     let named = |link: LinkId| Text::from(&mechanism.links[link].name);
     let links =
         |sort: String, links: Vec<Text>| joined("", [name(sort + "("), joined(",", links), name(")")]);
-    let input = links("I".to_owned(), [mechanism.input.on, mechanism.input.link].map(named).to_vec());
-    let groups = groups.iter().map(|group| {
+    let input = |driver: &Driver| links("I".to_owned(), [driver.on, driver.link].map(named).to_vec());
+    let input = joined(" + ", mechanism.input.drivers.iter().map(input));
+    // A link that is driven against a solved one stands among the inputs already.
+    let groups = groups.iter().filter(|group| group.class > 1).map(|group| {
         let class = roman(group.class);
         let number = group.plugin.number;
         let sort = if number > 0 { format!("{class}{number}") } else { format!("{class}/{}", group.order) };
@@ -245,7 +274,7 @@ fn formula(mechanism: &Mechanism, groups: &[Group]) -> Name {
 fn class_and_order(frame: &GroupFrame) -> (u8, u8) {
     let order = u8::try_from(frame.outer.len()).unwrap_or(u8::MAX);
     if frame.links.len() <= 2 {
-        return (2, order);
+        return (if frame.links.is_empty() { 1 } else { 2 }, order);
     }
     let elements = |link: usize| frame.pairs().filter(|pair| pair.joins(link)).count();
     let widest = frame.links.iter().map(|&link| elements(link)).max().unwrap_or(0);

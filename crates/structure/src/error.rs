@@ -13,6 +13,8 @@ pub enum StructureError {
     Loose {
         /// The count.
         counted: Mobility,
+        /// Number of inputs.
+        inputs: usize,
         /// The links that are loose.
         links: Vec<String>,
         /// Pairs elsewhere of which one is surplus.
@@ -22,10 +24,21 @@ pub enum StructureError {
         /// Points of these links, and of the ground, that stand in no other link, by link.
         alone: Vec<String>,
     },
+    /// The inputs before it already determine what an input drives.
+    DependentInput {
+        /// The count.
+        counted: Mobility,
+        /// Number of inputs.
+        inputs: usize,
+        /// The first such input.
+        input: Box<Name>,
+    },
     /// Some pairs constrain what is already fixed.
     Surplus {
         /// The count.
         counted: Mobility,
+        /// Number of inputs.
+        inputs: usize,
         /// Pairs of which one is surplus.
         pairs: Vec<String>,
         /// Links that they lock.
@@ -74,7 +87,7 @@ impl StructureError {
             | Self::Surplus { links, .. }
             | Self::SlideAngles { links, .. }
             | Self::NoPlugin { links, .. } => links.first().map(String::as_str),
-            Self::Held { .. } | Self::Registry(_) => None,
+            Self::DependentInput { .. } | Self::Held { .. } | Self::Registry(_) => None,
         }
     }
 }
@@ -102,17 +115,21 @@ impl Describe for StructureError {
     fn describe(&self) -> Text {
         match self {
             // A link alone is attached by one pair; several with all their points joined are held as in a chain of five links.
-            Self::Loose { counted, links, surplus, alike: None, alone }
-                if counted.value == 2 && links.len() > 1 && surplus.is_empty() && alone.is_empty() =>
+            Self::Loose { counted, inputs, links, surplus, alike: None, alone }
+                if counted.value > i64::try_from(*inputs).unwrap_or(i64::MAX)
+                    && (links.len() > 1 || *inputs > 1)
+                    && surplus.is_empty()
+                    && (alone.is_empty() || *inputs > 1) =>
             {
                 text!(
                     "structure-more-inputs",
                     mobility = number(counted.value),
+                    inputs = number(inputs),
                     formula = name(counted.formula()),
                     links = links_named(links)
                 )
             }
-            Self::Loose { counted, links, surplus, alike, alone } => text!(
+            Self::Loose { counted, links, surplus, alike, alone, .. } => text!(
                 "structure-loose",
                 mobility = number(counted.value),
                 formula = name(counted.formula()),
@@ -132,8 +149,16 @@ impl Describe for StructureError {
                     }
                 }
             ),
-            Self::Surplus { counted, pairs, links, why } => text!(
+            Self::DependentInput { counted, inputs, input } => text!(
+                "structure-dependent-input",
+                mobility = number(counted.value),
+                formula = name(counted.formula()),
+                inputs = number(inputs),
+                input = Text::from(&**input)
+            ),
+            Self::Surplus { counted, inputs, pairs, links, why } => text!(
                 "structure-surplus",
+                inputs = number(inputs),
                 mobility = number(counted.value),
                 formula = name(counted.formula()),
                 pairs = text!("structure-pairs", count = pairs.len(), pairs = some(pairs, "`")),

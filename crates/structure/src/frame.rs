@@ -3,7 +3,7 @@
 use std::collections::HashSet;
 
 use assur_group::{Driven, GroupFrame, Pair, PairGeometry};
-use assur_mechanism::{GROUND, InputPair, LinkId, Mechanism, PairId, Place, PointId, Slide, SlideId};
+use assur_mechanism::{Driver, GROUND, InputPair, LinkId, Mechanism, PairId, Place, PointId, Slide, SlideId};
 use assur_number::elementary;
 
 use crate::{NamedPair, PassivePart, Structure};
@@ -136,21 +136,30 @@ fn named(mechanism: &Mechanism, source: PairId, id: usize, a: LinkId, b: LinkId)
     NamedPair { pair: Pair { id, a, b, geometry: geometry(mechanism, source, a, b) }, source }
 }
 
-/// The pair that is driven, the first of all.
-pub(crate) fn input_pair(mechanism: &Mechanism) -> NamedPair {
-    let input = &mechanism.input;
-    match input.pair {
-        InputPair::Pin(point) => named(mechanism, PairId::Pin(point), 0, input.link, input.on),
-        InputPair::Slide(slide) => slide_pair(mechanism, slide, 0),
-    }
+/// The pairs that are driven, the first of all, in the order of the scene.
+pub(crate) fn driven_pairs(mechanism: &Mechanism) -> Vec<NamedPair> {
+    let pair = |(id, driver): (usize, &Driver)| match driver.pair {
+        InputPair::Pin(point) => named(mechanism, PairId::Pin(point), id, driver.link, driver.on),
+        InputPair::Slide(slide) => slide_pair(mechanism, slide, id),
+    };
+    mechanism.input.drivers.iter().enumerate().map(pair).collect()
 }
 
-/// The driven pair between two of these links, which is the first of all pairs.
-fn driven(mechanism: &Mechanism, links: &[LinkId], pairs: &[NamedPair]) -> Vec<Driven> {
-    let input = &mechanism.input;
-    let is_within = input.is_relative() && [input.link, input.on].iter().all(|link| links.contains(link));
-    let coordinate = mechanism.links.len();
-    is_within.then(|| Driven { pair: pairs[0].pair, coordinate }).into_iter().collect()
+/// The driven pairs of these links with each other and with links that are solved. The body that holds a coordinate follows all
+/// links, in the order of the drives.
+fn driven(
+    mechanism: &Mechanism,
+    links: &[LinkId],
+    is_solved: impl Fn(LinkId) -> bool,
+    pairs: &[NamedPair],
+) -> Vec<Driven> {
+    let has = |driver: &Driver| {
+        let ends = [driver.link, driver.on];
+        ends.iter().any(|link| links.contains(link))
+            && ends.iter().all(|link| links.contains(link) || is_solved(*link))
+    };
+    let drivers = mechanism.input.drivers.iter().enumerate().filter(|(_, driver)| driver.is_relative() && has(driver));
+    drivers.map(|(id, _)| Driven { pair: pairs[id].pair, coordinate: mechanism.links.len() + id }).collect()
 }
 
 fn slide_pair(mechanism: &Mechanism, slide: SlideId, id: usize) -> NamedPair {
@@ -185,11 +194,13 @@ pub(crate) fn frame_of(
     scale: f64,
     pairs: &mut Vec<NamedPair>,
 ) -> GroupFrame {
-    let driven = driven(mechanism, &links, pairs);
+    let driven = driven(mechanism, &links, |link| rank[link] != usize::MAX, pairs);
     let mut frame = GroupFrame { links, inner: Vec::new(), outer: Vec::new(), driven, scale };
-    let is_driven = |pair: PairId| !frame.driven.is_empty() && pair == mechanism.input.driven_pair();
+    let held: Vec<(PairId, LinkId)> =
+        frame.held().iter().map(|(driven, [held, _])| (pairs[driven.pair.id].source, *held)).collect();
     let is_hung = |pair: PairId, link: LinkId| {
-        !(left_out.is_alone(pair, link) || is_driven(pair) && link == mechanism.input.link)
+        let slides = |of: &(PairId, LinkId)| of.0 == pair && matches!(pair, PairId::Slide(_));
+        !(left_out.is_alone(pair, link) || held.contains(&(pair, link)) || held.iter().any(slides))
     };
     let mut found = pins_of(
         (mechanism, &is_hung),

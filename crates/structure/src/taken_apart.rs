@@ -9,7 +9,7 @@ use assur_words::{Text, joined, list, name, text};
 pub struct Structure {
     /// Mobility by Chebyshev's formula.
     pub mobility: Mobility,
-    /// All kinematic pairs (a joint of k links gives k - 1), the input's pair with the ground first.
+    /// All kinematic pairs (a joint of k links gives k - 1), first those that are driven, in the order of the scene.
     pub pairs: Vec<NamedPair>,
     /// The groups in solving order.
     pub groups: Vec<Group>,
@@ -142,12 +142,17 @@ impl Group {
     /// The links in the order of the scene, those that driven pairs make one link together: first the one against which the others are
     /// driven.
     pub fn merged_links(&self) -> impl Iterator<Item = Vec<LinkId>> {
-        let driven = &self.frame.driven;
-        let links = self.frame.links.iter().filter(|link| driven.iter().all(|one| one.pair.a != **link));
-        links.map(|&link| {
-            let with = driven.iter().filter(move |one| one.pair.b == link).map(|one| one.pair.a);
-            std::iter::once(link).chain(with).collect()
-        })
+        let held = self.frame.held();
+        let is_held = |link: &LinkId| held.iter().any(|(_, [held, _])| held == link);
+        let mut all: Vec<Vec<LinkId>> =
+            self.frame.links.iter().filter(|link| !is_held(link)).map(|link| vec![*link]).collect();
+        for (_, [held, carrier]) in held {
+            match all.iter_mut().find(|links| links.contains(&carrier)) {
+                Some(links) => links.push(held),
+                None => all.push(vec![held]),
+            }
+        }
+        all.into_iter()
     }
 
     /// Outer pairs in the order of the kind's pattern, with their bodies in the order of the scene.

@@ -12,7 +12,7 @@ pub use ascii::{latin, to_ascii};
 pub use inventory;
 pub use language::{LANGUAGES, Language, Resource};
 pub use text::{
-    Describe, Text, Told, coordinate, count, degrees, joined, list, millimeters, name, number, ordinal,
+    Describe, Text, Told, CoordinateKind, coordinate, count, degrees, joined, list, millimeters, name, number, ordinal,
     quantity, text_of, unit,
 };
 

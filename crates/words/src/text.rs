@@ -144,9 +144,36 @@ pub fn degrees(angle: f64, decimals: usize) -> Text {
     quantity(format_args!("{:.decimals$}", angle.to_degrees()), "deg")
 }
 
-/// An input coordinate with so many decimals: an angle, rad, in degrees, or a length, m, in millimeters.
-pub fn coordinate(value: f64, is_angle: bool, decimals: usize) -> Text {
-    if is_angle { degrees(value, decimals) } else { millimeters(value, decimals) }
+/// What the coordinate of a mechanism is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum CoordinateKind {
+    /// An angle, rad.
+    Angle,
+    /// A displacement, m.
+    Length,
+    /// The time, s.
+    Time,
+}
+
+impl CoordinateKind {
+    /// Whether it is an angle.
+    pub fn is_angle(self) -> bool {
+        self == Self::Angle
+    }
+
+    /// Whether it is the time.
+    pub fn is_time(self) -> bool {
+        self == Self::Time
+    }
+}
+
+/// The coordinate of a mechanism with so many decimals: an angle, rad, in degrees, a length, m, in millimeters, or a time, s.
+pub fn coordinate(value: f64, kind: CoordinateKind, decimals: usize) -> Text {
+    match kind {
+        CoordinateKind::Angle => degrees(value, decimals),
+        CoordinateKind::Length => millimeters(value, decimals),
+        CoordinateKind::Time => quantity(format_args!("{value:.decimals$}"), "s"),
+    }
 }
 
 /// How many there are of something: `{ $bodies -> [one] a body *[other] { $bodies } bodies }`.

@@ -150,7 +150,9 @@ impl Chain<'_> {
             }
         }
         if block.stages.contains(&0) {
-            (branch.pairs[0], branch.balancing) = (unknown, f64::NAN);
+            let drives = self.linkage.mechanism.input.drivers.len();
+            branch.pairs[..drives].fill(unknown);
+            branch.balancing = f64::NAN;
         }
         for bearing in block
             .unknowns

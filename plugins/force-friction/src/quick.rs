@@ -138,10 +138,10 @@ impl<T: Number> Quick<'_, T> {
     }
 
     #[inline(always)]
-    fn links(&self, stage: usize) -> &[usize] {
-        let input = &self.linkage.mechanism.input;
-        let own = if input.is_relative() { &[] } else { std::slice::from_ref(&input.link) };
-        stage.checked_sub(1).map_or(own, |group| &self.linkage.structure.groups[group].frame.links)
+    fn links(&self, stage: usize) -> impl Iterator<Item = usize> {
+        let placed = self.linkage.mechanism.input.placed().filter(move |_| stage == 0);
+        let group = stage.checked_sub(1).map(|group| &self.linkage.structure.groups[group].frame.links);
+        placed.chain(group.into_iter().flatten().copied())
     }
 
     /// Solves the friction of a block and adds it to the loads.
@@ -221,11 +221,11 @@ impl<T: Number> Quick<'_, T> {
         let (own, found) = (&mut scratch_bodies[..sets * links], &mut scratch_pairs[..sets * count]);
         // A stage reads the loads of its own links only; a joint may have reactions that are known before.
         for link in stages.iter().flat_map(|stage| self.links(*stage)) {
-            own.iter_mut().skip(*link).step_by(links).for_each(|load| *load = Wrench::ZERO);
-            if let Some(load) = inertia.get(*link) {
-                own[(sets - 1) * links + *link] = *load;
+            own.iter_mut().skip(link).step_by(links).for_each(|load| *load = Wrench::ZERO);
+            if let Some(load) = inertia.get(link) {
+                own[(sets - 1) * links + link] = *load;
             }
-            own[*link] = loads[*link];
+            own[link] = loads[link];
         }
         for &(pair, _) in bearings.each().iter().flat_map(|one| &one.unknown.pairs) {
             found.iter_mut().skip(pair).step_by(count).for_each(|reaction| *reaction = Wrench::ZERO);

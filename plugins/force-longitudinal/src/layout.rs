@@ -37,9 +37,10 @@ impl Layout {
     /// Why the mechanism has no such layout, as a clause.
     pub(crate) fn of(linkage: &Linkage) -> Result<Self, Text> {
         let (mechanism, structure) = (&linkage.mechanism, &linkage.structure);
-        let crank = mechanism.input.link;
+        let driver = mechanism.input.first();
+        let crank = driver.link;
         let link = |id: LinkId| &mechanism.links[id].name;
-        if mechanism.input.is_relative() || !mechanism.input.is_angle() {
+        if driver.is_relative() || !mechanism.input.is_angle() {
             return Err(text!("force-longitudinal-no-crank", link = link(crank)));
         }
         if mechanism.balance.is_some_and(|balance| balance != Balance::Moment(crank)) {

@@ -3,12 +3,13 @@
 use std::collections::VecDeque;
 
 use assur_group::{Body, LEAST_HEALTH, Wrench};
-use assur_mechanism::{Balance, GROUND, InputPair, LinkId, Mechanism, PairId, PointId, SlideId};
+use assur_kinematics::ScalarMotion;
+use assur_mechanism::{Balance, Driver, GROUND, InputPair, LinkId, Mechanism, PairId, PointId, SlideId};
 use assur_number::{elementary, elimination::SparseLu};
 
 use crate::least_norm::{LeastNorm, SparseRow, of_least_norm};
 
-/// An unknown; each has two columns, the balancing load the last one.
+/// An unknown; each has two columns, the balancing loads the last ones.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Unknown {
     /// Force of a pin on its link of this index (not the first one, which takes the opposite of the sum of all others).
@@ -69,9 +70,14 @@ impl<'a> System<'a> {
         Self { mechanism, unknowns, of_pins, of_slides, scale }
     }
 
+    /// Number of balancing loads: of `[balance]`, or of each drive.
+    fn balances(&self) -> usize {
+        if self.mechanism.balance.is_some() { 1 } else { self.mechanism.input.drivers.len() }
+    }
+
     /// Number of equations and of unknowns.
     pub(crate) fn size(&self) -> (usize, usize) {
-        (3 * (self.mechanism.links.len() - 1), 2 * self.unknowns.len() + 1)
+        (3 * (self.mechanism.links.len() - 1), 2 * self.unknowns.len() + self.balances())
     }
 
     /// Solves for all reactions and the balancing load; `shifts`: for each slide, the moment on the sliding link that its friction
@@ -133,12 +139,14 @@ impl<'a> System<'a> {
 
     /// The left sides of the equations of all moving links, three of each.
     fn equations(&self, bodies: &[Body<f64>], shifts: &[f64]) -> Vec<SparseRow> {
-        let (rows, columns) = self.size();
+        let (rows, _) = self.size();
         let mut equations: Vec<SparseRow> = (0..rows).map(|_| SparseRow::with_capacity(ENTRIES)).collect();
         for (k, unknown) in self.unknowns.iter().enumerate() {
             self.fill(&mut equations, [2 * k, 2 * k + 1], *unknown, bodies, shifts);
         }
-        self.fill_balance(&mut equations, columns - 1, bodies);
+        for (index, driver) in self.mechanism.input.drivers.iter().take(self.balances()).enumerate() {
+            self.fill_balance(&mut equations, 2 * self.unknowns.len() + index, driver, bodies);
+        }
         equations
     }
 
@@ -194,9 +202,8 @@ impl<'a> System<'a> {
     }
 
     /// The balancing load: a moment in units of 1/scale, a force as it is.
-    fn fill_balance(&self, rows: &mut [SparseRow], column: usize, bodies: &[Body<f64>]) {
-        let input = &self.mechanism.input;
-        match (self.mechanism.balance, input.pair) {
+    fn fill_balance(&self, rows: &mut [SparseRow], column: usize, driver: &Driver, bodies: &[Body<f64>]) {
+        match (self.mechanism.balance, driver.pair) {
             (Some(Balance::Force { at, angle }), _) => {
                 let arm = bodies[at.link].arm(at.at);
                 self.add(rows, column, at.link, (arm, [elementary::cos(angle), elementary::sin(angle)], 0.0));
@@ -205,8 +212,8 @@ impl<'a> System<'a> {
                 self.add(rows, column, link, ([0.0; 2], [0.0; 2], self.scale));
             }
             (None, InputPair::Pin(_)) => {
-                self.add(rows, column, input.link, ([0.0; 2], [0.0; 2], self.scale));
-                self.add(rows, column, input.on, ([0.0; 2], [0.0; 2], -self.scale));
+                self.add(rows, column, driver.link, ([0.0; 2], [0.0; 2], self.scale));
+                self.add(rows, column, driver.on, ([0.0; 2], [0.0; 2], -self.scale));
             }
             (None, InputPair::Slide(id)) => {
                 let normal = self.normal(id, bodies);
@@ -228,6 +235,17 @@ impl<'a> System<'a> {
         bodies[slide.on].arm([-elementary::sin(slide.angle), elementary::cos(slide.angle)])
     }
 
+    /// The speed at which the coordinate of a drive changes.
+    fn rate(&self, driver: &Driver, bodies: &[Body<f64>]) -> f64 {
+        match driver.pair {
+            InputPair::Pin(_) => bodies[driver.link].w1 - bodies[driver.on].w1,
+            InputPair::Slide(id) => {
+                let slide = &self.mechanism.slides[id];
+                ScalarMotion::of_slide(slide, bodies).pf1
+            }
+        }
+    }
+
     fn read(&self, columns: Vec<f64>, bodies: &[Body<f64>]) -> Solution {
         let slides = self.of_slides.iter().enumerate().map(|(id, unknown)| {
             let at = 2 * unknown;
@@ -236,8 +254,16 @@ impl<'a> System<'a> {
             Wrench { fx: force * nx, fy: force * ny, m: moment }
         });
         let slides = slides.collect();
-        let last = columns.last().copied().unwrap_or(f64::NAN);
-        let balancing = if self.mechanism.balances_by_moment() { last * self.scale } else { last };
+        let drivers = &self.mechanism.input.drivers;
+        let loads = &columns[2 * self.unknowns.len()..];
+        let balancing = if self.mechanism.input.sole().is_some() {
+            let last = loads.first().copied().unwrap_or(f64::NAN);
+            if self.mechanism.balances_by_moment() { last * self.scale } else { last }
+        } else {
+            let unit = |driver: &Driver| if driver.is_angle() { self.scale } else { 1.0 };
+            let power = |(driver, load): (&Driver, &f64)| load * unit(driver) * self.rate(driver, bodies);
+            drivers.iter().zip(loads).map(power).sum()
+        };
         Solution { columns, slides, balancing, open: Vec::new(), health: 1.0 }
     }
 
@@ -291,9 +317,11 @@ fn from_the_ends(mechanism: &Mechanism) -> Vec<PairId> {
     }
     // Breadth first from the input link, not through the ground. Pairs that are not reached come first.
     let mut is_met = vec![false; mechanism.links.len()];
-    (is_met[GROUND], is_met[mechanism.input.link]) = (true, true);
+    is_met[GROUND] = true;
+    let inputs: VecDeque<LinkId> = mechanism.input.drivers.iter().map(|driver| driver.link).collect();
+    inputs.iter().for_each(|input| is_met[*input] = true);
     let mut is_taken = vec![false; pairs.len()];
-    let (mut found, mut queue) = (Vec::with_capacity(pairs.len()), VecDeque::from([mechanism.input.link]));
+    let (mut found, mut queue) = (Vec::with_capacity(pairs.len()), inputs);
     while let Some(link) = queue.pop_front() {
         for &k in &of_link[link] {
             if std::mem::replace(&mut is_taken[k], true) {

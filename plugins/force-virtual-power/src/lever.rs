@@ -185,8 +185,9 @@ impl Lever<'_> {
         let (mechanism, bodies) = (&self.linkage.mechanism, self.bodies);
         let (kind, symbol) = (VectorKind::Balancing, text!("force-lever-balance"));
         let on_input = text!("force-lever-balancing-load");
-        let input = mechanism.input.link;
-        match (UnitBalance::of(mechanism), mechanism.balance, mechanism.input.pair) {
+        let driver = mechanism.input.first();
+        let input = driver.link;
+        match (UnitBalance::of(mechanism), mechanism.balance, driver.pair) {
             (Some(unit), Some(Balance::Force { at, .. }), _) => {
                 let vector = scaled(size, unit.wrench(bodies).force());
                 let image = self.image(at.link, bodies[at.link].point(at.at));
@@ -199,13 +200,13 @@ impl Lever<'_> {
             }
             (None, _, pair) => {
                 // A drive between two links acts on the other one too, by the opposite load.
-                let ends = [(input, size), (mechanism.input.on, -size)];
+                let ends = [(input, size), (driver.on, -size)];
                 let moving = ends.into_iter().filter(|(link, _)| *link != GROUND);
                 let drawn = moving.flat_map(|(link, size)| {
                     let InputPair::Slide(slide) = pair else {
                         return self.couple(link, size, kind, &symbol, &on_input);
                     };
-                    let (slide, along) = (&mechanism.slides[slide], drive_direction(mechanism, bodies));
+                    let (slide, along) = (&mechanism.slides[slide], drive_direction(mechanism, driver, bodies));
                     let image = self.image(link, bodies[slide.link].point(slide.point));
                     let vector = scaled(size, along.unwrap_or_default());
                     let named = [symbol.clone(), on_input.clone()];

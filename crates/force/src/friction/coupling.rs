@@ -1,11 +1,11 @@
 //! Which groups have to be solved together.
 //!
-//! Stage 0 is the input link, or the drive of a pair between two links of a group; stage g + 1 is the group g. A stage depends on those whose reactions load its links, and on those
+//! Stage 0 is the input links with the drives of all driven pairs; stage g + 1 is the group g. A stage depends on those whose reactions load its links, and on those
 //! whose reactions give the friction on its links. What depends on each other is one block.
 
 use std::cmp::Reverse;
 
-use assur_mechanism::LinkId;
+use assur_mechanism::Input;
 use assur_number::components;
 use assur_structure::Structure;
 
@@ -35,7 +35,7 @@ impl Block {
     /// The blocks of a mechanism in solving order, and the whole of it as one.
     pub(crate) fn all(
         structure: &Structure,
-        input: Option<LinkId>,
+        input: &Input,
         bearings: &[Bearing],
         unknowns: &[Unknown],
     ) -> (Vec<Self>, Self) {
@@ -48,9 +48,11 @@ impl Block {
                 needs[loaded].push(own);
             }
         }
-        if input.is_none() {
-            // The load of the drive follows from the reaction of its pair.
-            needs[0].extend(structure.pairs.first().map(|driven| stages.of_pair[driven.pair.id]));
+        for (driver, driven) in input.drivers.iter().zip(&structure.pairs) {
+            if driver.is_relative() {
+                // The load of the drive follows from the reaction of its pair.
+                needs[0].push(stages.of_pair[driven.pair.id]);
+            }
         }
         for unknown in unknowns {
             let bearing = &bearings[unknown.bearing];
@@ -86,12 +88,10 @@ struct Stages {
 }
 
 impl Stages {
-    fn of(structure: &Structure, input: Option<LinkId>) -> Self {
+    fn of(structure: &Structure, input: &Input) -> Self {
         let mut found =
             Self { of_link: vec![None; structure.links], of_pair: vec![0; structure.pairs.len()] };
-        if let Some(input) = input {
-            found.of_link[input] = Some(0);
-        }
+        input.placed().for_each(|link| found.of_link[link] = Some(0));
         for (group, one) in structure.groups.iter().enumerate() {
             one.frame.links.iter().for_each(|link| found.of_link[*link] = Some(group + 1));
             one.frame.pairs().for_each(|pair| found.of_pair[pair.id] = group + 1);

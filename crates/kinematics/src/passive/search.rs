@@ -1,7 +1,7 @@
 //! Which parts are passive.
 
 use assur_group::{Mode, Order};
-use assur_mechanism::{Balance, GROUND, InputPair, LinkId, Mechanism, PairId, PointId, Slide};
+use assur_mechanism::{Balance, GROUND, LinkId, Mechanism, PairId, PointId, Slide};
 use assur_number::elementary;
 use assur_structure::{Excess, PassivePart, Structure};
 use assur_words::{Text, millimeters, text};
@@ -250,14 +250,15 @@ fn candidates(mechanism: &Mechanism) -> Vec<PassivePart> {
         None => None,
     };
     let links = (1..mechanism.links.len()).rev();
-    let is_kept = |link: &usize| Some(*link) == balanced || *link == input.link || *link == input.on;
+    let is_driven = |link: usize| input.drivers.iter().any(|driver| [driver.link, driver.on].contains(&link));
+    let is_kept = |link: &usize| Some(*link) == balanced || is_driven(*link);
     let links = links.filter(|link| !is_kept(link)).map(PassivePart::Link);
     let slides = mechanism.slides.iter().enumerate().rev();
     let slides = slides
-        .filter(|(id, _)| input.pair != InputPair::Slide(*id))
+        .filter(|(id, _)| !input.drives(PairId::Slide(*id)))
         .map(|(id, slide)| PassivePart::Pair(PairId::Slide(id), slide.link));
     let pins = mechanism.points.iter().enumerate().rev();
-    let pins = pins.filter(|(id, point)| point.is_pin() && input.pair != InputPair::Pin(*id));
+    let pins = pins.filter(|(id, point)| point.is_pin() && !input.drives(PairId::Pin(*id)));
     let pins = pins.flat_map(|(id, point)| {
         let moving = point.places.iter().skip(1).rev().filter(|place| place.link != GROUND);
         moving.map(move |place| PassivePart::Pair(PairId::Pin(id), place.link))
@@ -275,7 +276,7 @@ fn doubled(mechanism: &Mechanism) -> Vec<PassivePart> {
             (slide.on, slide.link, slide.angle)
         }
     };
-    let is_input = |id: usize| mechanism.input.pair == InputPair::Slide(id);
+    let is_input = |id: usize| mechanism.input.drives(PairId::Slide(id));
     let slides = || mechanism.slides.iter().enumerate();
     let repeats = |id: usize, slide: &Slide| {
         let (one, other, angle) = seen(slide);
