@@ -3,7 +3,7 @@
 use assur_force::{JointReaction, UnitBalance};
 use assur_group::Wrench;
 use assur_kinematics::Linkage;
-use assur_mechanism::{GROUND, InputPair, LinkId, PairId};
+use assur_mechanism::{Driver, GROUND, InputPair, LinkId, PairId};
 use assur_words::{Text, text};
 
 use crate::case::{Case, largest};
@@ -97,9 +97,21 @@ impl Sums<'_> {
             self.add_at(unit.link, origin(unit.link), force, size * wrench.m);
             return;
         }
-        let ends = [(mechanism.input.link, size), (mechanism.input.on, -size)];
+        let drivers = &mechanism.input.drivers;
+        if mechanism.input.sole().is_some() {
+            self.add_drive(&drivers[0], size);
+        } else {
+            drivers.iter().zip(&self.one.reactions.drives).for_each(|(driver, size)| self.add_drive(driver, *size));
+        }
+    }
+
+    /// Adds the load of a drive on both of its links.
+    fn add_drive(&mut self, driver: &Driver, size: f64) {
+        let (mechanism, bodies) = (&self.linkage.mechanism, &self.one.position.bodies);
+        let origin = |link: LinkId| [bodies[link].x, bodies[link].y];
+        let ends = [(driver.link, size), (driver.on, -size)];
         for (link, size) in ends.into_iter().filter(|(link, _)| *link != GROUND) {
-            match mechanism.input.pair {
+            match driver.pair {
                 InputPair::Pin(_) => self.add_at(link, origin(link), [0.0; 2], size),
                 InputPair::Slide(id) => {
                     // Along the guide, through the sliding point.

@@ -144,7 +144,7 @@ impl<'a, T: Precision> Differences<'a, T> {
         let chain = &perturbed[usize::try_from(trial).ok()?];
         let mut bodies = start.to_vec();
         chain.set_input(q, &mut bodies);
-        if let Some(input) = subject.linkage.mechanism.input.placed() {
+        for input in subject.linkage.mechanism.input.placed() {
             perturbation.link(&mut bodies[input], input);
         }
         for (kernel, way) in chain.groups.iter().zip(ways) {

@@ -132,10 +132,11 @@ pub(crate) fn cycle_request(mechanism: &Mechanism) -> Result<(CycleRequest, Opti
 /// The input link about its pin (a sliding one: its mass), without a moment of inertia by a formula: the part of J(q) that never
 /// varies.
 fn constant_inertia(mechanism: &Mechanism) -> f64 {
-    let Some(link) = mechanism.input.placed().map(|link| &mechanism.links[link]) else { return 0.0 };
-    match mechanism.input.pair {
+    let Some(crank) = mechanism.input.crank() else { return 0.0 };
+    let link = &mechanism.links[crank];
+    match mechanism.input.first().pair {
         InputPair::Pin(point) => {
-            let pin = mechanism.place_in(point, mechanism.input.link).unwrap_or_default();
+            let pin = mechanism.place_in(point, crank).unwrap_or_default();
             let arm = [link.center[0] - pin[0], link.center[1] - pin[1]];
             link.inertia.constant() + link.mass * (arm[0] * arm[0] + arm[1] * arm[1])
         }

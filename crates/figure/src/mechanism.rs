@@ -187,20 +187,26 @@ impl Drawing<'_> {
         })
     }
 
-    /// The mark of a driven pair between two moving links: a dot with the name of the coordinate.
+    /// The marks of driven pairs between two moving links: a dot with the name of the coordinate, with its number where several are
+    /// driven.
     fn driven(&self, bodies: &[Body<f64>]) -> Vec<Item> {
         let mechanism = &self.linkage.mechanism;
         let input = &mechanism.input;
-        if !input.is_relative() || !self.shows(input.link) || !self.shows(input.on) {
-            return Vec::new();
-        }
-        let own = match input.pair {
-            InputPair::Pin(pin) => mechanism.place_in(pin, input.link).unwrap_or_default(),
-            InputPair::Slide(slide) => mechanism.slides[slide].point,
+        let is_shown = |driver: &Driver| {
+            driver.is_relative() && self.shows(driver.link) && self.shows(driver.on)
         };
-        let at = bodies[input.link].point(own);
-        let text = input.name.as_ref().map_or_else(|| name("q"), Text::from);
-        vec![Item::sign(at, Sign::Dot, Ink::Second), Item::Name { at, text, ink: Ink::Second, needed: false }]
+        let mark = |(index, driver): (usize, &Driver)| {
+            let own = match driver.pair {
+                InputPair::Pin(pin) => mechanism.place_in(pin, driver.link).unwrap_or_default(),
+                InputPair::Slide(slide) => mechanism.slides[slide].point,
+            };
+            let at = bodies[driver.link].point(own);
+            let numbered = if input.drivers.len() > 1 { format!("q{}", index + 1) } else { "q".to_owned() };
+            let text = input.name.as_ref().map_or_else(|| name(numbered), Text::from);
+            let name = Item::Name { at, text, ink: Ink::Second, needed: false };
+            [Item::sign(at, Sign::Dot, Ink::Second), name]
+        };
+        input.drivers.iter().enumerate().filter(|(_, driver)| is_shown(driver)).flat_map(mark).collect()
     }
 
     /// The circles of friction of the pins, of radius coefficient times that of the journal: what the reactions with friction touch.

@@ -44,7 +44,7 @@ impl CrankCondition {
 
 /// The crank conditions of all four-bars that begin at an input link that turns.
 pub fn crank_conditions(mechanism: &Mechanism) -> Vec<CrankCondition> {
-    let (InputPair::Pin(o), Some(crank)) = (mechanism.input.pair, mechanism.input.placed()) else {
+    let (InputPair::Pin(o), Some(crank)) = (mechanism.input.first().pair, mechanism.input.crank()) else {
         return Vec::new();
     };
     let on =

@@ -37,7 +37,7 @@ pub(crate) fn carriers(linkage: &Linkage) -> Vec<Carrier> {
         (radius > 0.0).then_some(Carrier { link, pin, radius })
     };
     let mut found: Vec<_> = (1..mechanism.links.len()).filter_map(carrier).collect();
-    found.sort_by_key(|carrier| carrier.link != mechanism.input.link);
+    found.sort_by_key(|carrier| !mechanism.input.places(carrier.link));
     found
 }
 

@@ -230,5 +230,5 @@ fn add(to: &mut Wrench<f64>, wrench: Wrench<f64>) {
 
 /// Whether the first body of the input's pair is the input link, 1, or the ground, -1.
 fn sign_of_input(linkage: &Linkage, first: usize) -> f64 {
-    if first == linkage.mechanism.input.link { 1.0 } else { -1.0 }
+    if first == linkage.mechanism.input.first().link { 1.0 } else { -1.0 }
 }

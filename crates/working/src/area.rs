@@ -16,7 +16,7 @@ pub(crate) fn area_under(mechanism: &Mechanism, load: LoadId, [from, to]: [f64; 
         LoadKind::Brake(brake) => return braking(mechanism, brake, [from, to]),
         _ => return None,
     };
-    if Some(found.link) != mechanism.input.placed() || !mechanism.input.is_angle() {
+    if Some(found.link) != mechanism.input.crank() || !mechanism.input.is_angle() {
         return None;
     }
     match &found.value {
@@ -32,7 +32,7 @@ pub(crate) fn area_under(mechanism: &Mechanism, load: LoadId, [from, to]: [f64; 
 /// The constant moment of a brake, against the motion.
 fn braking(mechanism: &Mechanism, brake: &Brake, [from, to]: [f64; 2]) -> Option<Area> {
     let Value::Constant(force) = &brake.force else { return None };
-    if Some(brake.link) != mechanism.input.placed() || !mechanism.input.is_angle() {
+    if Some(brake.link) != mechanism.input.crank() || !mechanism.input.is_angle() {
         return None;
     }
     let moment = -brake.moment_of_unit_force() * force * (to - from).signum();

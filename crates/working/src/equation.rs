@@ -33,7 +33,7 @@ impl Work<'_> {
     /// The force and the mass that stand for them at a point of the input link (E eqs. 4-6).
     fn reduce_to_point(&mut self, inertia: &Expr, moment: &Expr) {
         let mechanism = &self.linkage.mechanism;
-        let link = mechanism.input.link;
+        let link = mechanism.input.first().link;
         let Some(place) = ReductionPoint::farthest(mechanism)
             .filter(|_| self.linkage.angular())
             .and_then(|found| mechanism.place_in(found.point.id, link))

@@ -114,7 +114,7 @@ impl Work<'_> {
             return drive.clone();
         }
         let pair = self.linkage.structure.pairs[0].pair;
-        let link = self.linkage.mechanism.input.link;
+        let link = self.linkage.mechanism.input.first().link;
         let name = self.sheet.body_name(link);
         self.sheet.section(text!("working-input-forces", link = name));
         match pair.geometry {
@@ -132,7 +132,7 @@ impl Work<'_> {
 
     /// The balancing force is the component along the guide; the guide exerts the component across it.
     fn sliding_reaction(&mut self, a: usize, point: [f64; 2]) -> Expr {
-        let link = self.linkage.mechanism.input.link;
+        let link = self.linkage.mechanism.input.first().link;
         let at = self.sheet.point(a, point);
         let direction = match self.sheet.pose(link) {
             Some(pose) => pose.base.pf[1].clone(),

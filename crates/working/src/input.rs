@@ -9,7 +9,7 @@ use crate::{PositionOrSample, Work};
 impl Work<'_> {
     /// Writes the coordinate and the motion of the input link.
     pub(crate) fn input(&mut self, place: PositionOrSample) {
-        let input = &self.linkage.mechanism.input;
+        let input = self.linkage.mechanism.input.first();
         let link = input.link;
         let name = self.sheet.body_name(link);
         if input.is_relative() {
@@ -69,7 +69,7 @@ impl Work<'_> {
     /// The displacement is that of the slide's point along the guide; the guide is on either of the two bodies.
     fn sliding(&mut self, slide: usize, q: &Expr) {
         let found = self.linkage.mechanism.slides[slide].clone();
-        let link = self.linkage.mechanism.input.link;
+        let link = self.linkage.mechanism.input.first().link;
         let on_ground = found.on == GROUND;
         let (angle, fixed, own) = if on_ground {
             (found.angle, found.through, found.point)

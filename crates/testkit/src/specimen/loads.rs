@@ -79,7 +79,7 @@ fn varying_inertias(draft: &mut Draft, mechanism: &mut Mechanism) {
 }
 
 fn turns(mechanism: &Mechanism) -> bool {
-    matches!(mechanism.input.pair, assur_mechanism::InputPair::Pin(_))
+    mechanism.input.is_angle()
 }
 
 fn moving(draft: &mut Draft, mechanism: &Mechanism) -> LinkId {

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use assur_group::{GroupPlugin, Order, groups};
 use assur_kinematics::Linkage;
-use assur_mechanism::{GROUND, Input, InputPair, Mechanism, Range, Sense};
+use assur_mechanism::{Driver, GROUND, Input, InputPair, Mechanism, Range, Sense};
 
 use super::draft::Draft;
 
@@ -136,8 +136,10 @@ fn mechanism_of(draft: &mut Draft, pair: InputPair, from: f64) -> Mechanism {
     let assembly = (0..points.len()).collect::<Vec<_>>();
     let assembly = assembly.iter().filter(moving).map(|&id| (id, draft.world_of(id))).collect();
     let (positions, range) = (POSITIONS[0], Range::To(from));
+    let label = draft.links[1].name.clone();
+    let driver = Driver { link: 1, on: GROUND, pair, label, law: None };
     let input =
-        Input { link: 1, on: GROUND, pair, name: None, from, positions, range, direction: Sense::Ccw };
+        Input { drivers: vec![driver], is_list: false, name: None, from, positions, range, direction: Sense::Ccw };
     Mechanism {
         title: "Specimen".to_owned(),
         links: draft.links.clone(),
@@ -151,7 +153,7 @@ fn mechanism_of(draft: &mut Draft, pair: InputPair, from: f64) -> Mechanism {
 
 /// A whole cycle if the mechanism is nowhere near a singular position, otherwise such a range around the start.
 fn with_range(draft: &mut Draft, mut mechanism: Mechanism) -> Option<(Mechanism, f64)> {
-    let unit = if matches!(mechanism.input.pair, InputPair::Pin(_)) { 1.0 } else { draft.size };
+    let unit = if mechanism.input.is_angle() { 1.0 } else { draft.size };
     let way = draft.rng.signed(0.2, 1.2) * unit;
     mechanism.input.range = Range::To(mechanism.input.from + way);
     let linkage = Linkage::compile(mechanism.clone()).ok()?;

@@ -73,8 +73,9 @@ fn write_link(text: &mut String, m: &Mechanism, id: LinkId) -> Out {
 
 fn write_input(text: &mut String, m: &Mechanism) -> Out {
     let input = &m.input;
-    let [link, on] = [input.link, input.on].map(|link| &m.links[link].name);
-    match (input.is_relative(), input.pair) {
+    let driver = input.first();
+    let [link, on] = [driver.link, driver.on].map(|link| &m.links[link].name);
+    match (driver.is_relative(), driver.pair) {
         (false, _) => writeln!(text, "\n[input]\nlink = {link:?}")?,
         (true, InputPair::Slide(slide)) => {
             writeln!(text, "\n[input]\nslide = {:?}", m.slides[slide].name)?;
