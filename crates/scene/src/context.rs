@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use assur_mechanism::{GROUND, Input, InputPair, Load, LoadId, LoadKind, Name};
 use assur_words::{Text, text};
 
+use crate::over_time::Timing;
 use crate::walk::{Entry, Section};
 use crate::{linkage::SceneLinks, units::Dimension};
 
@@ -22,15 +23,16 @@ pub(crate) struct Context<'s> {
     pub(crate) linkage: &'s SceneLinks,
     /// `None` if the input is faulty.
     pub(crate) input: Option<&'s Input>,
+    pub(crate) timing: Timing,
     pub(crate) loads: usize,
     /// Whether there is a `[motion]`.
     pub(crate) moves: bool,
 }
 
 impl Context<'_> {
-    /// Dimension of the input coordinate; `None` if the input is faulty, which must not cause further faults.
+    /// Dimension of the input coordinate; `None` if the input is faulty, which must not cause further faults, or over time.
     pub(crate) fn coordinate(&self) -> Option<Dimension> {
-        self.input.map(|input| coordinate_of(input.pair))
+        self.input.and_then(Input::sole).map(|driver| coordinate_of(driver.pair))
     }
 
     /// Dimension of the input speed.
@@ -52,7 +54,8 @@ impl Context<'_> {
     /// Notes that a part of a load needs a motion, if the scene has none.
     pub(crate) fn need_motion(&self, entry: &Entry<'_>, what: Text) {
         if !self.moves {
-            entry.fault(text!("scene-needs-motion", what), text!("scene-add-motion"));
+            let add = if self.timing.is_time() { "scene-add-motion-until" } else { "scene-add-motion" };
+            entry.fault(text!("scene-needs-motion", what), text!(add));
         }
     }
 }

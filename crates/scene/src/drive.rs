@@ -3,7 +3,7 @@
 use std::ops::Bound as End;
 
 use assur_mechanism::{
-    CharacteristicKind, Drive, FlywheelPlace, Input, Mechanism, Motion, MotorChoice, RatedMotor, Solve,
+    CharacteristicKind, Drive, FlywheelPlace, Mechanism, Motion, MotorChoice, RatedMotor, Solve,
     Torque,
 };
 
@@ -24,6 +24,9 @@ pub(crate) fn read(root: &Section<'_>, motion: Option<&Motion>, context: &Contex
     let section = root.inner("drive");
     check_unevenness(root, section.as_ref(), motion);
     let section = section?;
+    if context.timing.refuse_mover(section.faults, &section.span, "[drive]") {
+        return None;
+    }
     check_motion(&section, motion, context);
     check_motor_keys(&section, context);
     let torque = torque(&section, context);
@@ -90,7 +93,7 @@ fn check_motor_keys(section: &Section<'_>, context: &Context<'_>) {
     if let (None, Some(entry)) = (section.get("flywheel"), section.get("flywheel_on")) {
         section.faults.add(entry.key, text!("scene-no-flywheel"), text!("scene-add-flywheel"));
     }
-    if context.input.is_some_and(Input::is_relative) {
+    if context.input.is_some_and(|input| input.first().is_relative()) {
         let keys = ["motor", "ratio", "flywheel"];
         section.refuse(&keys, "scene-no-motor-between", &text!("scene-torque-between"));
     } else if context.coordinate() == Some(Dimension::Length) {

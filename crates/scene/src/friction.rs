@@ -4,13 +4,17 @@ use assur_mechanism::{Friction, GROUND, Middle, Motion, PairId, Surfaces};
 use assur_words::text;
 
 use crate::text::{row, shown, such_as};
-use crate::walk::{Entry, Section};
-use crate::{linkage::SceneLinks, reference, wishes};
+use crate::over_time::Timing;
+use crate::walk::{Entry, Section, quoted};
+use crate::{context::Context, linkage::SceneLinks, reference, wishes};
 
 /// The shortest length of contact, m: below it the moment of the guide is a couple of forces whose digits are lost.
 const LEAST_CONTACT: f64 = 1e-6;
 
-pub(crate) fn read(root: &Section<'_>, linkage: &SceneLinks, motion: Option<&Motion>) -> Vec<Friction> {
+pub(crate) fn read(root: &Section<'_>, context: &Context<'_>, motion: Option<&Motion>) -> Vec<Friction> {
+    if let Some(entry) = root.get("friction").filter(|_| context.timing == Timing::List) {
+        context.need_motion(&entry, quoted("[[friction]]"));
+    }
     if let (Some(Motion::Transient { .. } | Motion::Steady { .. }), Some(balance), Some(_)) =
         (motion, root.get("balance"), root.get("friction"))
     {
@@ -19,7 +23,7 @@ pub(crate) fn read(root: &Section<'_>, linkage: &SceneLinks, motion: Option<&Mot
     }
     let mut all: Vec<Friction> = Vec::new();
     for section in root.inners("friction") {
-        let Some(friction) = one(&section, linkage, all.len()) else { continue };
+        let Some(friction) = one(&section, context.linkage, all.len()) else { continue };
         if all.iter().any(|known| known.pair == friction.pair)
             && let Some(entry) = section.get("pair")
         {

@@ -6,7 +6,8 @@ use assur_words::{Text, name, text};
 
 use crate::text::{brief, shown};
 use crate::value::{formula_with_unit, within_text};
-use crate::{edit::within, linkage::SceneLinks, units::Dimension, walk::Section};
+use crate::walk::{Section, quoted};
+use crate::{context::Context, edit::within, linkage::SceneLinks, units::Dimension};
 
 /// Reads the moment of inertia of a link, whose points are known.
 pub(crate) fn read(linkage: &SceneLinks, id: LinkId, section: &Section<'_>) -> Inertia {
@@ -41,6 +42,16 @@ fn formula(linkage: &SceneLinks, id: LinkId, link: &Section<'_>) -> Option<Inert
         entry.fault(message, text!("scene-inertia-of-a-number"));
     }
     Some(Inertia::Varying(VaryingInertia { formula, factor }))
+}
+
+/// Notes moments of inertia over the input coordinate, if the coordinate is the time.
+pub(crate) fn refuse_over_coordinate(root: &Section<'_>, context: &Context<'_>) {
+    for link in context.linkage.links.iter().filter(|link| link.inertia.varying().is_some()) {
+        let key = Key::of("link").at(&link.name).at("inertia");
+        if let Ok(inertia) = within(root.table(), key.steps()) {
+            context.timing.refuse_coordinate(root.faults, &inertia.span(), quoted("inertia = { formula }"));
+        }
+    }
 }
 
 /// Refuses moments of inertia that are not positive, or beyond the range of a number, somewhere on the way of the input.

@@ -1,30 +1,48 @@
-//! `[input]`: the input link, its coordinate and the positions.
+//! `[input]`: what is driven, its coordinate and the positions; `[[input]]`: several, over time.
 
+use std::collections::HashSet;
 use std::f64::consts::TAU;
 
-use assur_mechanism::{GROUND, Input, InputPair, LinkId, Range, Sense};
+use assur_mechanism::{Driver, GROUND, Input, InputPair, LinkId, Name, PairId, Range, Sense, Step, TimeLaw};
 
 use assur_words::{Text, name, number, quantity, text};
 
 use crate::text::{exclude, rounded, row, shown};
+use crate::over_time::{Instants, Timing, instants, law};
+use crate::reading::element_names;
 use crate::walk::{Entry, Section};
 use crate::{context::coordinate_of, linkage::SceneLinks, reference, units::Dimension};
 
 /// Positions take no memory, but time and a place on a disk: more would fill terabytes.
-const MOST: usize = 1_000_000_000;
+pub(crate) const MOST: usize = 1_000_000_000;
 
 /// Angles of less difference than this are rounding, rad or turns.
 const SAME_TURN: f64 = 1e-6;
 
 /// Reads the input; `None` if its link or pair is not known.
-pub(crate) fn read(root: &Section<'_>, linkage: &SceneLinks) -> Option<Input> {
+pub(crate) fn read(root: &Section<'_>, linkage: &SceneLinks, timing: Timing) -> Option<Input> {
     let Some(entry) = root.get("input") else {
         root.missing("input", text!("scene-add-input"));
         return None;
     };
+    if timing == Timing::List {
+        return list(root, &entry, linkage);
+    }
     let section = entry.section(reference::table("[input]"))?;
     let driven = driven(&section, linkage);
-    let dimension = driven.map(|(_, _, pair)| coordinate_of(pair));
+    let senses = [("ccw", Sense::Ccw), ("cw", Sense::Cw)];
+    let sense = section.get("direction").and_then(|entry| entry.choice(&senses));
+    let name = section.get("name").map(|_| section.name(Text::default, |_| None));
+    if timing == Timing::Law {
+        refuse_beside_law(&section, &["from", "positions", "to", "cycle"]);
+        let instants = instants(root, timing);
+        let law = section.get("over_time").zip(driven.as_ref()).and_then(|(entry, driver)| {
+            law(&entry, coordinate_of(driver.pair), instants)
+        });
+        let driver = Driver { law: Some(law?), ..driven? };
+        return Some(Input { name, ..over_time(vec![driver], instants?) });
+    }
+    let dimension = driven.as_ref().map(|driver| coordinate_of(driver.pair));
     let from = section.by_input("from", dimension).unwrap_or_default();
     // The two ends of a range must differ, and a moment of inertia by a formula must stay positive on the way.
     let varies = linkage.links.iter().any(|link| link.inertia.varying().is_some());
@@ -32,20 +50,82 @@ pub(crate) fn read(root: &Section<'_>, linkage: &SceneLinks) -> Option<Input> {
         section.sets(1.0, |scene, key| (key == "from").then_some(&mut scene.input.from));
     }
     let positions = section.get("positions").and_then(|entry| entry.count(1, MOST)).unwrap_or(12);
-    let senses = [("ccw", Sense::Ccw), ("cw", Sense::Cw)];
-    let sense = section.get("direction").and_then(|entry| entry.choice(&senses));
     let range = range(&section, dimension, from, positions);
     let direction = sense.unwrap_or(Sense::Ccw);
-    let name = section.get("name").map(|_| section.name(Text::default, |_| None));
-    let (link, on, pair) = driven?;
-    Some(Input { link, on, pair, name, from, positions, range, direction })
+    Some(Input { drivers: vec![driven?], is_list: false, name, from, positions, range, direction })
 }
 
-/// What is driven: a link, against the ground or another one, in which pair.
-type DrivenLink = (LinkId, LinkId, InputPair);
+/// An input whose coordinate is the time.
+fn over_time(drivers: Vec<Driver>, Instants { until, count }: Instants) -> Input {
+    Input { drivers, positions: count, range: Range::To(until), ..Input::default() }
+}
 
-/// What is driven: exactly one of `link`, `slide` and `pin` says it.
-fn driven(section: &Section<'_>, linkage: &SceneLinks) -> Option<DrivenLink> {
+/// Reads a list of inputs, each over time.
+fn list(root: &Section<'_>, entry: &Entry<'_>, linkage: &SceneLinks) -> Option<Input> {
+    let instants = instants(root, Timing::List);
+    let items = entry.list(Text::default());
+    if items.is_empty() {
+        root.missing("input", text!("scene-add-input"));
+    }
+    let mut known = HashSet::new();
+    let mut drivers = Vec::new();
+    for (index, (item, label)) in items.iter().zip(labels(entry)).enumerate() {
+        let Some(driver) = one(item, (index, label), linkage, instants) else { continue };
+        let (ends, pair) = ([driver.link.min(driver.on), driver.link.max(driver.on)], driver.pair_id());
+        if !known.insert((ends, pair)) {
+            let pair = match pair {
+                PairId::Pin(point) => &linkage.points[point].name,
+                PairId::Slide(slide) => &linkage.slides[slide].name,
+            };
+            item.fault(text!("scene-driven-twice", pair = shown(pair)), text!("scene-leave-one-out"));
+        }
+        drivers.push(driver);
+    }
+    let all = instants.filter(|_| drivers.len() == items.len() && !items.is_empty())?;
+    Some(Input { is_list: true, ..over_time(drivers, all) })
+}
+
+/// What results call each input of a list: as keys do, and with its number where two have one name.
+fn labels(entry: &Entry<'_>) -> Vec<Name> {
+    let names = entry.value.as_array().map(|array| element_names(&[Step::from("input")], array)).unwrap_or_default();
+    let label = |(index, name): (usize, &Option<String>)| match name {
+        Some(name) if names.iter().filter(|other| other.as_ref() == Some(name)).count() == 1 => name.as_str().into(),
+        name => format!("{}:{}", name.as_deref().unwrap_or_default(), index + 1).into(),
+    };
+    names.iter().enumerate().map(label).collect()
+}
+
+/// Reads an input of a list; `index`: its place there.
+fn one(
+    item: &Entry<'_>,
+    (index, label): (usize, Name),
+    linkage: &SceneLinks,
+    instants: Option<Instants>,
+) -> Option<Driver> {
+    let section = item.section(reference::table("[[input]]"))?;
+    let driven = driven(&section, linkage);
+    let dimension = driven.as_ref().map(|driver| coordinate_of(driver.pair));
+    let given = if let Some(entry) = section.get("over_time") {
+        refuse_beside_law(&section, &["from", "rate"]);
+        dimension.and_then(|dimension| law(&entry, dimension, instants))
+    } else {
+        let (from, rate) = (section.by_input("from", dimension), section.by_input("rate", dimension));
+        section.sets(1.0, move |scene, key| scene.input.drivers.get_mut(index)?.law.as_mut()?.number(key));
+        from.zip(rate).map(|(from, rate)| TimeLaw::uniform(from, rate))
+    };
+    Some(Driver { label, law: Some(given?), ..driven? })
+}
+
+/// Notes keys that a law over time leaves no place for.
+fn refuse_beside_law(section: &Section<'_>, keys: &[&str]) {
+    for entry in keys.iter().filter_map(|key| section.get(key)) {
+        let keys = [entry.name.as_str(), "over_time"].map(shown);
+        section.faults.add(entry.key, exclude(keys), text!("scene-leave-one-out"));
+    }
+}
+
+/// What is driven, without a law: exactly one of `link`, `slide` and `pin` says it.
+fn driven(section: &Section<'_>, linkage: &SceneLinks) -> Option<Driver> {
     let given: Vec<Entry<'_>> = ["link", "slide", "pin"].iter().filter_map(|key| section.get(key)).collect();
     let [entry, more @ ..] = &given[..] else {
         section.missing("link", text!("scene-why-an-input"));
@@ -61,23 +141,24 @@ fn driven(section: &Section<'_>, linkage: &SceneLinks) -> Option<DrivenLink> {
             found.fault(text!("scene-of-a-pin"), text!("scene-leave-it-out"));
         }
     }
-    match entry.name.as_str() {
+    let (link, on, pair) = match entry.name.as_str() {
         "link" => {
             let link = linkage.moving(entry, text!("scene-link-joined-to-ground"))?;
-            Some((link, GROUND, pair(linkage, link, entry)?))
+            (link, GROUND, pair(linkage, link, entry)?)
         }
         "slide" => {
             let id = linkage.slide(entry)?;
             let slide = &linkage.slides[id];
             let (link, on) = if slide.link == GROUND { (slide.on, GROUND) } else { (slide.link, slide.on) };
-            Some((link, on, InputPair::Slide(id)))
+            (link, on, InputPair::Slide(id))
         }
-        _ => driven_pin(section, linkage, entry),
-    }
+        _ => driven_pin(section, linkage, entry)?,
+    };
+    Some(Driver { link, on, pair, label: entry.value.as_str()?.into(), law: None })
 }
 
 /// A driven pin: it turns `of` against `on`.
-fn driven_pin(section: &Section<'_>, linkage: &SceneLinks, entry: &Entry<'_>) -> Option<DrivenLink> {
+fn driven_pin(section: &Section<'_>, linkage: &SceneLinks, entry: &Entry<'_>) -> Option<(LinkId, LinkId, InputPair)> {
     let point = linkage.point(entry)?;
     let joined: Vec<LinkId> = linkage.points[point].places.iter().map(|place| place.link).collect();
     let of = section.need("of")?;

@@ -20,6 +20,7 @@ mod loads;
 mod mistakes;
 mod motion;
 mod numbers;
+mod over_time;
 mod reading;
 pub mod reference;
 mod render;
@@ -40,6 +41,7 @@ use edit::ParsedText;
 use error::{Fault, Faults};
 use known::Known;
 use linkage::SceneLinks;
+use over_time::Timing;
 use walk::Section;
 
 pub use error::{SceneError, SceneErrors};
@@ -118,22 +120,25 @@ fn scene(root: &Section<'_>) -> (Mechanism, Note) {
     if root.faults.is_empty() {
         links::refuse_points(root, &linkage);
     }
-    let input = input::read(root, &linkage);
+    let timing = Timing::of(root);
+    let input = input::read(root, &linkage, timing);
     let context = Context {
         linkage: &linkage,
         input: input.as_ref(),
+        timing,
         loads: limits::loads(root),
         moves: root.get("motion").is_some(),
     };
     let motion = motion::read(root, &context);
+    inertia::refuse_over_coordinate(root, &context);
     let note = wishes::read(root, input.as_ref().map(|input| input.positions));
     let mechanism = Mechanism {
         title,
         assembly: wishes::assembly(root, &linkage),
         gravity: loads::gravity(root),
         loads: loads::read(root, &context),
-        frictions: friction::read(root, &linkage, motion.as_ref()),
-        balance: wishes::balance(root, &linkage),
+        frictions: friction::read(root, &context, motion.as_ref()),
+        balance: wishes::balance(root, &context),
         drive: drive::read(root, motion.as_ref(), &context),
         motion,
         output: wishes::output(root, &linkage),

@@ -30,9 +30,22 @@ pub(crate) fn gravity(root: &Section<'_>) -> Option<[f64; 2]> {
 pub(crate) fn read(root: &Section<'_>, context: &Context<'_>) -> Vec<Load> {
     let (mut loads, mut names) = (Vec::new(), BTreeSet::new());
     for sort in &SORTS {
-        sort.read(root, context, (&mut loads, &mut names));
+        if sort.list != "contact" || !refuse_contacts(root, context) {
+            sort.read(root, context, (&mut loads, &mut names));
+        }
     }
     loads
+}
+
+/// Notes contacts, if the coordinate is the time: there is contact in an interval of that of the input. Says whether it is.
+fn refuse_contacts(root: &Section<'_>, context: &Context<'_>) -> bool {
+    for section in root.inners("contact").iter().filter(|_| context.timing.is_time()) {
+        context.timing.refuse_coordinate(root.faults, &section.span, quoted("[[contact]]"));
+        if let Some(during) = section.get("during") {
+            context.timing.refuse_coordinate(root.faults, &during.key, quoted("during"));
+        }
+    }
+    context.timing.is_time()
 }
 
 /// The sorts of loads, in the order of the mechanism.

@@ -188,7 +188,7 @@ fn without_inertia(mechanism: &Mechanism, link: LinkId, extents: &[f64]) -> Opti
     };
     let turns = |link: LinkId| {
         link != GROUND
-            && Some(link) != mechanism.input.placed()
+            && !mechanism.input.places(link)
             && extents[link] > 0.0
             && mechanism.links[link].mass > 0.0
             && !is_guided(link)

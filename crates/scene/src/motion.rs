@@ -14,11 +14,15 @@ use crate::{context::Context, error::Fault};
 
 /// Steps of a motion that a scene may allow: hours of work.
 const MOST_STEPS: usize = 1_000_000_000;
+
 /// Reads a motion of one kind.
 type Read = fn(&Section<'_>, &Context<'_>) -> Option<Motion>;
 const KINDS: [(&str, Read); 3] = [("prescribed", prescribed), ("transient", transient), ("steady", steady)];
 
 pub(crate) fn read(root: &Section<'_>, context: &Context<'_>) -> Option<Motion> {
+    if context.timing.is_time() {
+        return root.get("motion").map(|_| Motion::Prescribed { speed: 1.0, acceleration: 0.0 });
+    }
     let section = root.inner("motion")?;
     let (kind, read) = match section.get("kind") {
         Some(entry) => entry.choice(&KINDS.map(|kind| (kind.0, kind)))?,

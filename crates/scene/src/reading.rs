@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use assur_mechanism::{Key, Mechanism, Step};
 use toml::Spanned;
-use toml::de::{DeTable, DeValue};
+use toml::de::{DeArray, DeTable, DeValue};
 
 use crate::units::{self, Dimension};
 
@@ -213,7 +213,7 @@ fn within(step: Step, value: &Spanned<DeValue<'_>>, steps: &mut Vec<Step>, keys:
     match value.get_ref() {
         DeValue::Table(table) => in_table(table, steps, keys),
         DeValue::Array(array) => {
-            let names: Vec<_> = array.iter().map(|item| element_name(item.get_ref())).collect();
+            let names = element_names(steps, array);
             let mut counts: HashMap<&str, usize> = HashMap::new();
             for name in names.iter().flatten() {
                 *counts.entry(name).or_default() += 1;
@@ -230,8 +230,35 @@ fn within(step: Step, value: &Spanned<DeValue<'_>>, steps: &mut Vec<Step>, keys:
     steps.pop();
 }
 
+/// The names by which keys find the elements of a list; `steps`: its own key.
+pub(crate) fn element_names(steps: &[Step], array: &DeArray<'_>) -> Vec<Option<String>> {
+    if matches!(steps, [Step::Name(list)] if list == "input") {
+        return input_names(array);
+    }
+    array.iter().map(|item| element_name(item.get_ref())).collect()
+}
+
+/// The link, slide or pin of each input of a list; of a pin that several have, with the link that it turns: `K:shin`.
+fn input_names(array: &DeArray<'_>) -> Vec<Option<String>> {
+    let text = |item: &Spanned<DeValue<'_>>, key: &str| {
+        item.get_ref().as_table()?.get(key)?.get_ref().as_str().map(str::to_owned)
+    };
+    let mut pins: HashMap<String, usize> = HashMap::new();
+    for pin in array.iter().filter_map(|item| text(item, "pin")) {
+        *pins.entry(pin).or_default() += 1;
+    }
+    let name = |item: &Spanned<DeValue<'_>>| {
+        let pin = || match (text(item, "pin")?, text(item, "of")) {
+            (pin, Some(of)) if pins[&pin] > 1 => Some(format!("{pin}:{of}")),
+            (pin, _) => Some(pin),
+        };
+        text(item, "link").or_else(|| text(item, "slide")).or_else(pin)
+    };
+    array.iter().map(name).collect()
+}
+
 /// The name of a load; of a slide its name or default name; of a friction its pair.
-pub(crate) fn element_name(value: &DeValue<'_>) -> Option<String> {
+fn element_name(value: &DeValue<'_>) -> Option<String> {
     let DeValue::Table(table) = value else { return None };
     let text = |key: &str| table.get(key).and_then(|value| value.get_ref().as_str());
     let default = || Some(format!("{}/{}", text("link")?, text("on")?));

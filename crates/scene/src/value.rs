@@ -5,13 +5,14 @@ use std::ops::Range;
 use assur_formula::{Formula, FormulaError};
 use assur_mechanism::{LawTable, LoadId, Over, Shape, Value};
 
-use assur_words::{Describe, Text, joined, number, text, unit};
+use assur_words::{Describe, Text, joined, name, number, text, unit};
 
 use crate::known::Known;
+use crate::over_time::others;
 use crate::reference::{Bound, table};
 use crate::text::{brief, in_quotes, rounded, shown, such_as};
 use crate::units::{Dimension, quantity, within};
-use crate::walk::{Entry, Section};
+use crate::walk::{Entry, Section, quoted};
 use crate::{context::Context, error::Fault};
 
 /// What a table is over, as the scene names it; `None`: the stroke of a point.
@@ -50,6 +51,13 @@ pub(crate) fn read(
         None => "scene-table-over-stroke",
     };
     let section = of_sort(entry, what, sort)?;
+    if over != Some(Over::Time) {
+        let key = section.get("over")?;
+        let of = quoted(&format!("over = \"{sort}\""));
+        if context.timing.refuse_coordinate(key.faults, &key.span, of) {
+            return None;
+        }
+    }
     let shape = section.get("shape").and_then(|shape| shape.choice(SHAPES)).unwrap_or(Shape::Linear);
     if let Some(over) = over {
         return plain(&section, over, shape, dimension, context);
@@ -128,6 +136,11 @@ fn formula(
     context: &Context<'_>,
 ) -> Option<Value> {
     let (entry, formula, factor) = formula_with_unit(section, dimension)?;
+    let others = others(formula.used());
+    let what = text!("scene-formula-of", variables = name(others.clone()));
+    if !others.is_empty() && context.timing.refuse_coordinate(entry.faults, &entry.span, what) {
+        return None;
+    }
     // In a scene the speed is counted along the direction of the input, in a mechanism along the coordinate.
     let formula = if context.sign() < 0.0 { formula.mirrored() } else { formula };
     let used = formula.used();
@@ -302,7 +315,7 @@ fn one_way(entry: &Entry<'_>, shape: Shape, dimension: Dimension) -> Option<LawT
 }
 
 /// Reads rows [argument, value] with arguments that do not decrease.
-fn rows(
+pub(crate) fn rows(
     entry: &Entry<'_>,
     argument: impl Into<Option<Dimension>>,
     dimension: Dimension,

@@ -4,7 +4,9 @@ use assur_mechanism::{Balance, Output, PairId, PointId};
 
 use assur_words::{name, text};
 
+use crate::context::Context;
 use crate::linkage::{SceneLinks, pair};
+use crate::over_time::Timing;
 use crate::text::{row, shown, such_as};
 use crate::walk::{Entry, Section};
 use crate::{reading::Note, units::Dimension};
@@ -26,8 +28,12 @@ pub(crate) fn assembly(root: &Section<'_>, linkage: &SceneLinks) -> Vec<(PointId
 }
 
 /// Reads `[balance]`: the load that maintains the motion, if it does not act on the input.
-pub(crate) fn balance(root: &Section<'_>, linkage: &SceneLinks) -> Option<Balance> {
-    let section = root.inner("balance")?;
+pub(crate) fn balance(root: &Section<'_>, context: &Context<'_>) -> Option<Balance> {
+    let (section, linkage) = (root.inner("balance")?, context.linkage);
+    if context.timing == Timing::List {
+        context.timing.refuse_mover(root.faults, &section.span, "[balance]");
+        return None;
+    }
     let link = linkage.link_of(&section, text!("scene-ground-carries"));
     match (section.get("at"), section.get("angle")) {
         (None, None) => Some(Balance::Moment(link?)),

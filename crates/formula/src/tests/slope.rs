@@ -26,6 +26,42 @@ const KNOWN: [(&str, &str); 16] = [
     ("1/(2 - cos(q))", "-sin(q)/(2 - cos(q))^2"),
 ];
 
+/// The derivative of the known derivative is the second one.
+#[test]
+fn derivatives_over_time_are_those_of_the_known_ones() {
+    for (text, derivative) in KNOWN {
+        let (formula, derivative) = (read(&over_time(text)), read(derivative));
+        for i in 1..80 {
+            let t = 0.1 * f64::from(i);
+            let [wanted, second] = derivative.with_slope(t);
+            let [value, speed, acceleration] = formula.over_time(t);
+            let near = |found: f64, wanted: f64| (found - wanted).abs() <= 1e-12 * (1.0 + wanted.abs());
+            assert!(near(speed, wanted) && near(acceleration, second), "{text} at {t}: {acceleration} {second}");
+            assert_eq!(value.to_bits(), read(text).with_slope(t)[0].to_bits(), "{text}");
+        }
+    }
+}
+
+#[test]
+fn derivatives_over_time_are_slopes() {
+    for text in ["0.15 + 0.02*sin(pi*t/2)", "0.8 - 0.6*cos(3*t)", "exp(-t)*abs(t - 9)", "max(t^2, 1)*t"] {
+        let (formula, step) = (read(text), 1e-4);
+        for i in 11..60 {
+            let t = 0.1 * f64::from(i) + 0.003;
+            let [before, here, after] = [t - step, t, t + step].map(|t| formula.over_time(t));
+            for of in [0, 1] {
+                let wanted = (after[of] - before[of]) / (2.0 * step);
+                assert!((here[of + 1] - wanted).abs() < 1e-6 * (1.0 + wanted.abs()), "{text} at {t}: {here:?}");
+            }
+        }
+    }
+}
+
+/// The formula over the time in the place of the coordinate.
+fn over_time(text: &str) -> String {
+    text.replace("sqrt", "s_rt").replace('q', "t").replace("s_rt", "sqrt")
+}
+
 #[test]
 fn slopes_are_derivatives() {
     for (text, derivative) in KNOWN {

@@ -6,7 +6,7 @@ use toml::Spanned;
 use toml::de::{DeArray, DeTable, DeValue};
 
 use super::TextPlace;
-use crate::reading::{self, element_name};
+use crate::reading::{self, element_names};
 use crate::text::nearest;
 
 /// Greatest number of names that a message lists.
@@ -114,11 +114,10 @@ fn in_array<'a, 'b>(
             text!("scene-elements", owner, count, last)
         }),
         Step::Name(name) => {
-            let same = |item: &&Spanned<DeValue<'b>>| element_name(item.get_ref()).as_ref() == Some(name);
-            let found = array.iter().find(same);
-            found.ok_or_else(|| {
-                let names: Vec<String> =
-                    array.iter().filter_map(|item| element_name(item.get_ref())).collect();
+            let names = element_names(&steps[..depth], array);
+            let found = names.iter().position(|own| own.as_ref() == Some(name));
+            found.and_then(|index| array.get(index)).ok_or_else(|| {
+                let names: Vec<String> = names.into_iter().flatten().collect();
                 let list = key(&steps[..depth]);
                 if names.is_empty() {
                     return text!("scene-list-without-names", owner, list);

@@ -46,7 +46,7 @@ pub(super) fn of(mechanism: &Mechanism, size: f64) -> Vec<Warning> {
             text!("scene-odd-gravity", size = quantity(rounded(size), "m/s^2"))
         });
     }
-    let speed = match mechanism.motion {
+    let speed = match mechanism.motion.as_ref().filter(|_| !mechanism.input.kind().is_time()) {
         Some(Motion::Prescribed { speed, .. } | Motion::Transient { speed, .. }) => {
             (Key::of("motion").at("speed"), speed.abs())
         }
@@ -123,8 +123,8 @@ fn of_input_and_drive(mechanism: &Mechanism, speed: &(Key, f64)) -> Vec<Warning>
 
 /// A pin of the crank that stands at the angle `from` in the crank's own frame too: places in the ground's frame were given.
 fn turned_by_frame_and_from(mechanism: &Mechanism) -> Option<(&str, f64)> {
-    let (input, InputPair::Pin(pivot)) = (&mechanism.input, mechanism.input.pair) else { return None };
-    let link = input.placed()?;
+    let input = &mechanism.input;
+    let (link, InputPair::Pin(pivot)) = (input.crank()?, input.sole()?.pair) else { return None };
     let origin = mechanism.points[pivot].on(link)?;
     let others = mechanism.points.iter().enumerate().filter(|(id, point)| *id != pivot && point.is_pin());
     others.map(|(_, point)| point).find_map(|point| {
@@ -196,6 +196,6 @@ fn drives_clockwise(mechanism: &Mechanism, load: &Load) -> bool {
     let Value::Formula { formula, .. } = &moment.value else { return false };
     let by_speed = formula.used() == Used { speed: true, ..Used::default() };
     let at = |speed: f64| formula.value(&Variables { speed, ..Variables::default() });
-    let turns = Some(moment.link) == input.placed() && input.is_angle() && input.sign() < 0.0;
+    let turns = Some(moment.link) == input.crank() && input.is_angle() && input.sign() < 0.0;
     turns && by_speed && at(0.0) == 0.0 && SPEEDS.into_iter().all(|speed| at(speed) * speed > 0.0)
 }
