@@ -3,6 +3,7 @@
 
 use std::collections::BTreeSet;
 
+use assur_mechanism::CoordinateKind;
 use assur_analysis::results::{Analysis, Check, Failure};
 use assur_analysis::{Calculation, StructureStudy, lost_positions};
 use assur_kinematics::{Linkage, Misfit};
@@ -35,7 +36,7 @@ impl Verdict {
     pub(crate) fn of(analysis: &Analysis, calculation: &Calculation, session: Option<&Session>) -> Self {
         let mut losses = failures(&analysis.failures, analysis.survey.failures, session);
         losses.extend(no_motion(calculation, session));
-        losses.extend(misfits(&analysis.structure.passive, calculation.linkage.angular()));
+        losses.extend(misfits(&analysis.structure.passive, calculation.linkage.kind()));
         let not_finite = finite(analysis).err();
         let writable = not_finite.is_none();
         losses.extend(not_finite.map(|problem| text!("cli-error", problem = problem.describe())));
@@ -57,13 +58,13 @@ impl Verdict {
     pub(crate) fn of_positions(linkage: &Linkage, session: &Session) -> Self {
         let (lost, count) = lost_positions(linkage);
         let mut losses = failures(&lost, count, Some(session));
-        losses.extend(misfits(&linkage.misfits, linkage.angular()));
+        losses.extend(misfits(&linkage.misfits, linkage.kind()));
         Self::of_losses(losses)
     }
 
     pub(crate) fn of_structure(found: &StructureStudy) -> Self {
         let passive = found.structure.iter().flat_map(|structure| &structure.passive);
-        Self::of_losses(misfits(passive, found.angular))
+        Self::of_losses(misfits(passive, found.kind))
     }
 
     fn of_losses(losses: Vec<Text>) -> Self {
@@ -108,9 +109,9 @@ fn failures(failures: &[Failure], count: usize, session: Option<&Session>) -> Ve
     told
 }
 
-fn misfits<'a>(passive: impl IntoIterator<Item = &'a Misfit>, angular: bool) -> Vec<Text> {
+fn misfits<'a>(passive: impl IntoIterator<Item = &'a Misfit>, kind: CoordinateKind) -> Vec<Text> {
     let wrong = passive.into_iter().filter(|passive| !passive.fits());
-    wrong.map(|passive| text!("cli-error", problem = topic::passive_part(passive, angular))).collect()
+    wrong.map(|passive| text!("cli-error", problem = topic::passive_part(passive, kind))).collect()
 }
 
 fn no_motion(calculation: &Calculation, session: Option<&Session>) -> Option<Text> {

@@ -122,8 +122,18 @@ impl<'a> Filler<'a> {
         let (position, instants) = (&self.position, *instants);
         self.notable.add(linkage, first, (rows, position), found);
         let (sizes, greatest_force) = (OnceCell::new(), OnceCell::new());
-        let known =
-            Rows { calculation, instants, position, reduced, reactions, balancing, sizes, greatest_force };
+        let partials = linkage.partials(position);
+        let known = Rows {
+            calculation,
+            instants,
+            position,
+            reduced,
+            reactions,
+            balancing,
+            partials,
+            sizes,
+            greatest_force,
+        };
         self.columns.of.emit(calculation, &mut TableRows(&known, table.rows(first, rows)));
         obstacles
     }

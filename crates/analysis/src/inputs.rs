@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use assur_group::Order;
 use assur_kinematics::{Linkage, Position, decompose};
-use assur_mechanism::{GROUND, InputPair, LinkId, Mechanism, Name, Named, PairId, Point, Range};
+use assur_mechanism::{CoordinateKind, GROUND, InputPair, LinkId, Mechanism, Name, Named, PairId, Point, Range};
 use assur_number::elementary;
 use assur_structure::StructureError;
 use assur_words::{Describe, Text};
@@ -27,9 +27,9 @@ pub struct StructureStudy {
     /// Every possible input, if requested: links in the order of the scene, pinned to the ground or sliding on it.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub inputs: Vec<PossibleInput>,
-    /// Whether the input of the scene is pinned: its coordinate is an angle.
+    /// What the coordinate of the mechanism is.
     #[serde(skip)]
-    pub angular: bool,
+    pub kind: CoordinateKind,
     /// The modes of every group over the cycle, if requested.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub modes: Vec<GroupModes>,
@@ -69,8 +69,8 @@ impl StructureStudy {
     }
 
     fn new(mechanism: &Mechanism, structure: Option<StructureReport>, why: Option<Text>) -> Self {
-        let (title, angular) = (mechanism.title.clone(), mechanism.input.is_angle());
-        Self { format: 1, title, structure, why, inputs: Vec::new(), angular, modes: Vec::new() }
+        let (title, kind) = (mechanism.title.clone(), mechanism.input.kind());
+        Self { format: 1, title, structure, why, inputs: Vec::new(), kind, modes: Vec::new() }
     }
 
     /// Adds every possible input.
@@ -98,14 +98,15 @@ impl StructureStudy {
     }
 }
 
-/// Every possible input of a mechanism, links in the order of the scene.
+/// Every possible input of a mechanism, links in the order of the scene; none of a mechanism over time.
 fn inputs(mechanism: &Mechanism, posed: &Mechanism, position: Option<&Position>) -> Vec<PossibleInput> {
-    let present = (mechanism.input.link, mechanism.input.pair);
+    let Some(sole) = mechanism.input.sole() else { return Vec::new() };
+    let present = (sole.link, sole.pair);
     let of = |input: (LinkId, InputPair)| {
         let present = input == present;
         one(if present { mechanism } else { posed }, input, present, position)
     };
-    let relative = mechanism.input.is_relative().then_some(present);
+    let relative = sole.is_relative().then_some(present);
     // A pin of a driven link may stand on the ground too: it is one input, the present one.
     let others = possible(mechanism).into_iter().filter(|input| relative != Some(*input));
     let mut found: Vec<PossibleInput> = relative.into_iter().chain(others).map(of).collect();
@@ -158,13 +159,14 @@ fn one(
 ) -> PossibleInput {
     let mut driven = mechanism.clone();
     if !present {
-        (driven.input.link, driven.input.on, driven.input.pair) = (link, GROUND, pair);
+        let driver = &mut driven.input.drivers[0];
+        (driver.link, driver.on, driver.pair) = (link, GROUND, pair);
     }
     if let Some(position) = position.filter(|_| !present) {
         (driven.input.from, driven.input.range) = begin(mechanism, (link, pair), position);
     }
     let found = decompose(&driven);
-    let of = driven.input.driven_pair();
+    let of = driven.input.first().pair_id();
     PossibleInput {
         link: mechanism.named_link(link),
         pair: mechanism.named_pair(of),

@@ -49,6 +49,7 @@ impl Calculation {
     /// Of more than [`Mechanism::most_kept`](assur_mechanism::Mechanism::most_kept) positions only every so many are kept; [`each_block`](Self::each_block) gives all.
     pub fn analyze(&self, watch: &mut Watch<'_>) -> Result<Analysis, Stopped> {
         let mechanism = &self.linkage.mechanism;
+        let driver = mechanism.input.first();
         let positions = self.positions(mechanism.input.positions.div_ceil(mechanism.most_kept()), watch)?;
         let samples = self.trajectory(watch)?;
         self.notable.get_or_init(|| [positions.notable.numbers(), samples.notable.numbers()]);
@@ -61,12 +62,9 @@ impl Calculation {
         Ok(Analysis {
             title: mechanism.title.clone(),
             input: InputReport {
-                link: mechanism.named_link(mechanism.input.link),
-                pair: mechanism
-                    .input
-                    .is_relative()
-                    .then(|| mechanism.named_pair(mechanism.input.driven_pair())),
-                angular: self.linkage.angular(),
+                link: mechanism.named_link(driver.link),
+                pair: driver.is_relative().then(|| mechanism.named_pair(driver.pair_id())),
+                kind: self.linkage.kind(),
                 balancing_is_moment: mechanism.balances_by_moment(),
             },
             structure: crate::results::structure::report(&self.linkage, !self.plan.is_partial()),

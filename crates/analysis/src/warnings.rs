@@ -85,7 +85,7 @@ impl Calculation {
             return None;
         };
         let last = input.coordinate(input.positions.saturating_sub(1));
-        let place = |at: f64| coordinate(at, self.linkage.angular(), 6);
+        let place = |at: f64| coordinate(at, self.linkage.kind(), 6);
         let other = name(if input.sign() > 0.0 { "cw" } else { "ccw" });
         (speed * (last - input.from) < 0.0).then(|| {
             text!("analysis-listed-backwards", from = place(input.from), to = place(to), direction = other)
@@ -100,7 +100,7 @@ impl Calculation {
         let (mechanism, regime) = (&self.linkage.mechanism, &found.regime);
         let Some(Motion::Steady { mean_speed: wanted, .. }) = mechanism.motion else { return Vec::new() };
         let mut notes = Vec::new();
-        let unit = if self.linkage.angular() { "rad/s" } else { "m/s" };
+        let unit = if self.linkage.kind().is_angle() { "rad/s" } else { "m/s" };
         if ((regime.figures.mean_speed - wanted) / wanted).abs() > MET {
             let speed = |speed: f64| quantity(format_args!("{speed:.6}"), unit);
             let [wanted, found] = [wanted, regime.figures.mean_speed].map(speed);

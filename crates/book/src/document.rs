@@ -2,7 +2,7 @@
 
 use assur_analysis::results::Column as Quantity;
 use assur_figure::Figure;
-use assur_mechanism::{LinkId, Mechanism};
+use assur_mechanism::{Driver, LinkId, Mechanism};
 use assur_words::{Text, joined, name, text, unit};
 use assur_worksheet::Term;
 
@@ -240,8 +240,11 @@ pub fn link_name(mechanism: &Mechanism, link: LinkId) -> Text {
     mechanism.links.get(link).map_or_else(Text::default, |link| Text::from(&link.name))
 }
 
-/// The name of the input link; where it is driven against another one, with that: `rod against barrel`.
+/// The name of the input link; where it is driven against another one, with that: `rod against barrel`. Of several inputs all.
 pub fn driven_link(mechanism: &Mechanism) -> Text {
-    let [link, on] = [mechanism.input.link, mechanism.input.on].map(|link| link_name(mechanism, link));
-    if mechanism.input.is_relative() { text!("driven-link-against", link, on) } else { link }
+    let named = |driver: &Driver| {
+        let [link, on] = [driver.link, driver.on].map(|link| link_name(mechanism, link));
+        if driver.is_relative() { text!("driven-link-against", link, on) } else { link }
+    };
+    assur_words::list(mechanism.input.drivers.iter().map(named))
 }

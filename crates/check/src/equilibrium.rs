@@ -1,6 +1,6 @@
 //! Equilibrium of every link under the named reactions, of every joint, and of slides along their guides.
 
-use assur_force::{JointReaction, UnitBalance};
+use assur_force::{JointReaction, Reactions, UnitBalance};
 use assur_group::Wrench;
 use assur_kinematics::Linkage;
 use assur_mechanism::{Driver, GROUND, InputPair, LinkId, PairId};
@@ -22,7 +22,7 @@ pub(crate) fn compare(case: &Case<'_>, [links, joints, guides]: [&mut Collector;
         sum.size += item.size;
         sum.added += sum.wrench.fx.hypot(sum.wrench.fy) + sum.wrench.m.abs() / scale;
     }
-    sums.add_balancing(case.reactions.balancing);
+    sums.add_balancing(case.reactions);
     for joint in &case.joints {
         sums.add_joint(joint);
     }
@@ -88,21 +88,17 @@ impl Sums<'_> {
         sum.size += force[0].hypot(force[1]) * lever + moment.abs() / scale;
     }
 
-    fn add_balancing(&mut self, size: f64) {
+    fn add_balancing(&mut self, reactions: &Reactions) {
         let (mechanism, bodies) = (&self.linkage.mechanism, &self.one.position.bodies);
         let origin = |link: LinkId| [bodies[link].x, bodies[link].y];
         if let Some(unit) = UnitBalance::of(mechanism) {
             let wrench = unit.wrench(bodies);
+            let size = reactions.balancing;
             let force = wrench.force().map(|f| size * f);
             self.add_at(unit.link, origin(unit.link), force, size * wrench.m);
             return;
         }
-        let drivers = &mechanism.input.drivers;
-        if mechanism.input.sole().is_some() {
-            self.add_drive(&drivers[0], size);
-        } else {
-            drivers.iter().zip(&self.one.reactions.drives).for_each(|(driver, size)| self.add_drive(driver, *size));
-        }
+        reactions.of_drives(mechanism).for_each(|(driver, size)| self.add_drive(driver, size));
     }
 
     /// Adds the load of a drive on both of its links.

@@ -39,7 +39,7 @@ pub(crate) fn compare(
     let limit = (rounding_of_sum(added, total) + rounding / total) * case.condition();
     let mut left = balancing + moment + terms[0] + terms[1];
     let of_motion = left.abs() / total;
-    let unit = if linkage.angular() { "N m" } else { "N" };
+    let unit = if linkage.kind().is_angle() { "N m" } else { "N" };
     let told =
         || text!("check-remainder", symbol = name("Pogr1"), left = quantity(format!("{left:.1e}"), unit));
     lagrange.offer(one.index, of_motion, limit, told);

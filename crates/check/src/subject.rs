@@ -131,7 +131,7 @@ impl Subject<'_> {
                 }
             }
         }
-        method.instance.solve(self.linkage, position, &mut wrenches, &mut reactions).ok()?;
+        assur_force::solve_by(method.instance, self.linkage, position, &mut wrenches, &mut reactions).ok()?;
         Some(reactions)
     }
 }

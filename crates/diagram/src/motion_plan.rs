@@ -3,7 +3,7 @@
 use assur_force::{LoadState, VectorKind};
 use assur_group::plane::{minus, perp, plus, scaled};
 use assur_kinematics::{Linkage, PointMotion, Position};
-use assur_mechanism::{GROUND, LinkId, Place, PointId, Slide};
+use assur_mechanism::{CoordinateKind, GROUND, LinkId, Place, PointId, Slide};
 use assur_words::{Text, joined, name, text};
 
 use crate::plan::{Component, VectorPlan, length};
@@ -203,13 +203,13 @@ fn symbol<const N: usize>(letter: &'static str, points: [Text; N]) -> Text {
 
 /// Unit of derivatives: by time with a motion, else by the coordinate.
 fn unit(linkage: &Linkage, moves: bool, order: usize) -> &'static str {
-    match (moves, linkage.angular(), order) {
-        (true, _, 1) => "m/s",
-        (true, _, _) => "m/s^2",
-        (false, true, 1) => "m/rad",
-        (false, true, _) => "m/rad^2",
-        (false, false, 1) => "m/m",
-        (false, false, _) => "m/m^2",
+    match (moves, linkage.kind(), order) {
+        (true, _, 1) | (false, CoordinateKind::Time, 1) => "m/s",
+        (true, _, _) | (false, CoordinateKind::Time, _) => "m/s^2",
+        (false, CoordinateKind::Angle, 1) => "m/rad",
+        (false, CoordinateKind::Angle, _) => "m/rad^2",
+        (false, CoordinateKind::Length, 1) => "m/m",
+        (false, CoordinateKind::Length, _) => "m/m^2",
     }
 }
 

@@ -4,7 +4,7 @@ use assur_force::{Acting, Cause, Reactions, UnitBalance, VectorKind, drive_direc
 use assur_group::Body;
 use assur_group::plane::{opposite, scaled};
 use assur_kinematics::{Linkage, Position};
-use assur_mechanism::{GROUND, LinkId};
+use assur_mechanism::{Driver, GROUND, LinkId};
 use assur_words::{Text, joined, name, text};
 
 use crate::plan::{VectorPlan, length};
@@ -32,24 +32,27 @@ pub fn force_polygons(
         let title = text!("plan-forces-of", group = structure.group_name(mechanism, index));
         drawer.polygon(title, &group.frame.links)
     });
-    let input = mechanism.input.placed().map(|input| {
+    let inputs = mechanism.input.placed().map(|input| {
         let title = text!("plan-forces-of-input", link = &mechanism.links[input].name);
         drawer.polygon(title, &[input])
     });
-    groups.chain(input).collect()
+    groups.chain(inputs).collect()
 }
 
 /// The balancing force on each link on which it acts; none of a moment.
 fn balance(linkage: &Linkage, position: &Position, reactions: &Reactions) -> Vec<(LinkId, [f64; 2])> {
     let mechanism = &linkage.mechanism;
-    let (link, unit) = match UnitBalance::of(mechanism) {
-        Some(unit) => (unit.link, unit.wrench(&position.bodies).force()),
-        None => (mechanism.input.link, drive_direction(mechanism, &position.bodies).unwrap_or_default()),
+    let elsewhere = UnitBalance::of(mechanism).map(|unit| {
+        let along = unit.wrench(&position.bodies).force();
+        (unit.link, scaled(reactions.balancing, along))
+    });
+    let of_drive = |(driver, size): (&Driver, f64)| {
+        let along = drive_direction(mechanism, driver, &position.bodies)?;
+        Some([(driver.link, scaled(size, along)), (driver.on, scaled(-size, along))])
     };
-    let on = mechanism.input.is_relative() && reactions.unit.is_none();
-    let opposite = on.then_some((mechanism.input.on, -reactions.balancing));
-    let both = std::iter::once((link, reactions.balancing)).chain(opposite);
-    both.filter(|_| unit != [0.0, 0.0]).map(|(link, size)| (link, scaled(size, unit))).collect()
+    let drives = reactions.of_drives(mechanism).filter_map(of_drive).flatten();
+    let all = elsewhere.into_iter().chain(drives);
+    all.filter(|(link, force)| *link != GROUND && *force != [0.0, 0.0]).collect()
 }
 
 struct Drawer<'a> {

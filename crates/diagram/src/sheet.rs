@@ -2,7 +2,7 @@
 
 use assur_force::{
     Acting, AnalyzerPlugin, Cause, Construction, ForceAnalyzer, Kinetostatics, LoadState, Loads, Reactions,
-    analyzers, joints,
+    analyzers, joints, solve_by,
 };
 use assur_geometry::{Center, instant_centers};
 use assur_group::Order;
@@ -88,7 +88,7 @@ fn reactions(
         return Ok(forces.reactions);
     }
     let (mut wrenches, mut out) = (loads.total(state, &position.bodies), Reactions::new(linkage));
-    analyzer.solve(linkage, position, &mut wrenches, &mut out)?;
+    solve_by(analyzer, linkage, position, &mut wrenches, &mut out)?;
     Ok(out)
 }
 
@@ -119,8 +119,11 @@ pub struct Share {
     pub cause: Text,
     /// The reactions that it causes.
     pub reactions: Vec<JointForce>,
-    /// The balancing moment (N m) or force (N) for this cause.
+    /// The balancing moment (N m) or force (N) for this cause; over time the power of all drives, W.
     pub balancing: f64,
+    /// Over time the load of each drive, N m or N, in the order of the scene.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub drives: Vec<f64>,
 }
 
 /// Reactions by cause at one position.
@@ -155,8 +158,9 @@ pub fn split(
         let acting = list.iter().filter(|load| cause.is_none_or(|cause| cause == load.cause.of_all()));
         let (mut wrenches, mut out) =
             (Acting::total(acting, linkage.structure.links), Reactions::new(linkage));
-        analyzer.solve(linkage, position, &mut wrenches, &mut out)?;
-        Ok(Share { cause: told, reactions: joint_forces(linkage, &out), balancing: out.balancing })
+        solve_by(analyzer, linkage, position, &mut wrenches, &mut out)?;
+        let (reactions, balancing) = (joint_forces(linkage, &out), out.balancing);
+        Ok(Share { cause: told, reactions, balancing, drives: out.drives })
     };
     let mut whole = solve(text!("plan-all-causes"), None)?;
     let ideal = whole.clone();
@@ -165,6 +169,7 @@ pub fn split(
     if loads.frictions().is_some() {
         let out = reactions(linkage, position, loads, state, analyzer)?;
         (whole.reactions, whole.balancing) = (joint_forces(linkage, &out), out.balancing);
+        whole.drives = out.drives;
         shares.push(Share::of_friction(&whole, &ideal));
     }
     let residual = residual(&whole, &shares);
@@ -180,7 +185,8 @@ impl Share {
             ..whole.clone()
         });
         let (reactions, balancing) = (each.collect(), whole.balancing - ideal.balancing);
-        Self { cause: text!("plan-cause-friction"), reactions, balancing }
+        let drives = whole.drives.iter().zip(&ideal.drives).map(|(whole, ideal)| whole - ideal).collect();
+        Self { cause: text!("plan-cause-friction"), reactions, balancing, drives }
     }
 }
 

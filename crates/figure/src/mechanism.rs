@@ -8,7 +8,7 @@ mod tests;
 
 use assur_group::Body;
 use assur_kinematics::{Linkage, Position};
-use assur_mechanism::{Brake, GROUND, InputPair, LinkId, Mechanism, PairId, Slide, Surfaces, Value};
+use assur_mechanism::{Brake, Driver, GROUND, InputPair, LinkId, Mechanism, PairId, Slide, Surfaces, Value};
 use assur_words::{Text, joined, name, quantity};
 
 use crate::model::{Ink, Item, Point, Sign, Stroke};

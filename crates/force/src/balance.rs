@@ -155,6 +155,13 @@ impl<T: Real> Reactions<T> {
         }
     }
 
+    /// Each drive with its load; none where the balancing load acts elsewhere.
+    pub fn of_drives<'a>(&'a self, mechanism: &'a Mechanism) -> impl Iterator<Item = (&'a Driver, T)> {
+        let sole = mechanism.input.sole().map(|driver| (driver, self.balancing));
+        let several = mechanism.input.drivers.iter().zip(self.drives.iter().copied());
+        sole.into_iter().chain(several).filter(|_| self.unit.is_none())
+    }
+
     /// Memory for the reactions with the dry friction of the mechanism, if it has any.
     #[must_use]
     pub fn with_friction(mut self, loads: &Loads, linkage: &Linkage) -> Self {

@@ -184,7 +184,7 @@ impl<'a> Compiler<'a> {
     /// Where the senses of friction are looked for: over the cycle, or where an input that can't turn fully may be. Positions of a
     /// given motion beyond the gap are there again, perhaps by a whole turn, so that the cycle is looked at with its gap.
     fn span_of_friction(&self) -> Span {
-        let whole = self.linkage.range.filter(|range| !range.full && self.linkage.angular());
+        let whole = self.linkage.range.filter(|range| !range.full && self.linkage.kind().is_angle());
         let listed = self.positions();
         let leaves =
             |range: &AssemblyRange| listed.from < range.low || listed.from + listed.length > range.high;

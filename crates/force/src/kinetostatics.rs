@@ -13,6 +13,23 @@ use crate::{ForceAnalyzer, ForceError, FrictionIteration, LoadState, Loads, Reac
 /// A reaction that changes by less than this part of loads that exchange their shares does not depend on them.
 const LEAST_RESPONSE: f64 = 1e-9;
 
+/// Finds reactions and balancing load by a method, and over time the load of each drive.
+pub fn solve_by(
+    analyzer: &dyn ForceAnalyzer,
+    linkage: &Linkage,
+    position: &Position,
+    loads: &mut [Wrench<f64>],
+    out: &mut Reactions,
+) -> Result<(), ForceError> {
+    if !linkage.kind().is_time() {
+        return analyzer.solve(linkage, position, loads, out);
+    }
+    let given = loads.to_vec();
+    let found = analyzer.solve(linkage, position, loads, out);
+    out.find_drives(linkage, &position.bodies, &given);
+    found
+}
+
 /// The force analysis of a mechanism by one method, with its memory: one position after the other.
 #[derive(Debug, Clone)]
 pub struct Kinetostatics<'a> {
@@ -55,12 +72,8 @@ impl<'a> Kinetostatics<'a> {
             return Err(ForceError::ChangePoint(position.coordinate));
         }
         self.load(state, position);
-        let is_timed = self.linkage.kind().is_time();
-        let given = if is_timed { self.wrenches.clone() } else { Vec::new() };
-        let found = self.analyzer.solve(self.linkage, position, &mut self.wrenches, &mut self.reactions);
-        if is_timed {
-            self.reactions.find_drives(self.linkage, &position.bodies, &given);
-        }
+        let found =
+            solve_by(self.analyzer, self.linkage, position, &mut self.wrenches, &mut self.reactions);
         if found.is_ok() && self.reactions.balancing.is_finite() {
             return found;
         }

@@ -1,6 +1,6 @@
 //! The geometry of the motion as data that serializes itself.
 
-use assur_mechanism::{LinkId, Named};
+use assur_mechanism::{CoordinateKind, LinkId, Named};
 use assur_words::Text;
 use indexmap::IndexMap;
 use serde::Serialize;
@@ -17,8 +17,9 @@ pub struct Geometry {
     pub format: u32,
     /// Title of the scene.
     pub title: String,
-    /// Whether coordinates are angles, rad; otherwise m.
-    pub angular: bool,
+    /// Whether coordinates are angles, rad; otherwise m, or s over time.
+    #[serde(rename = "angular")]
+    pub kind: CoordinateKind,
     /// The link from which the centers are seen; `ground` for absolute ones.
     pub against: Named<LinkId>,
     /// Links that form a rigid part with that one over the whole cycle, by their dimensions or by the structure: they have no

@@ -58,7 +58,7 @@ pub fn geometry(linkage: &Linkage, against: LinkId) -> Result<Geometry, Geometry
     Ok(Geometry {
         format: FORMAT,
         title: mechanism.title.clone(),
-        angular: linkage.angular(),
+        kind: linkage.kind(),
         against: mechanism.named_link(against),
         rigid: rigid.collect(),
         links,

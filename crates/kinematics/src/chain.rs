@@ -173,24 +173,17 @@ impl<T: Number> Chain<T> {
         self.solve_except(coordinate, ways, order, bodies, health, |_, _| None)
     }
 
-    /// Solves all needed groups at one time for the derivatives with respect to the coordinate of one drive, the others at rest.
+    /// Derives all placed links at a time with respect to the coordinate of one drive, the others at rest.
     ///
     /// # Errors
     ///
-    /// [`ChainError`] as of [`solve`](Self::solve).
-    pub fn solve_of(
-        &self,
-        driver: usize,
-        time: T,
-        (ways, order): (&[u8], Order),
-        bodies: &mut [Body<T>],
-    ) -> Result<(), ChainError> {
-        self.set_input_of(driver, time, bodies);
+    /// [`ChainError`] of a group in a singular position.
+    pub fn derive_by(&self, drive: usize, time: T, bodies: &mut [Body<T>]) -> Result<(), ChainError> {
+        self.set_input_of(drive, time, bodies);
         for (group, kernel) in self.groups.iter().enumerate().filter(|(group, _)| self.needed[*group]) {
-            let solved = kernel.solve(bodies, usize::from(ways[group]), order);
-            solved.map_err(|source| ChainError { group, source })?;
+            kernel.derive(bodies, Order::Second).map_err(|source| ChainError { group, source })?;
         }
-        self.hang(bodies, order);
+        self.hang(bodies, Order::Second);
         Ok(())
     }
 

@@ -178,7 +178,7 @@ impl<'a> Walk<'a> {
     fn over(linkage: &'a Linkage, group: usize) -> Result<ModeCourses, Unlisted> {
         let input = &linkage.mechanism.input;
         let last = input.coordinate(input.positions.saturating_sub(1));
-        let length = if linkage.angular() { TAU * input.sign() } else { last - input.from };
+        let length = if linkage.kind().is_angle() { TAU * input.sign() } else { last - input.from };
         let unit = linkage.coordinate_unit().copysign(length);
         let mut walk = Self {
             linkage,
@@ -207,7 +207,7 @@ impl<'a> Walk<'a> {
         let is_same =
             |one: &Mode<f64>, other: &Mode<f64>| walk.apart(one, other) < TOGETHER && one.way == other.way;
         let closing = |(number, mode): &(usize, Mode<f64>)| {
-            let again = start.iter().find(|(_, first)| linkage.angular() && is_same(mode, first))?;
+            let again = start.iter().find(|(_, first)| linkage.kind().is_angle() && is_same(mode, first))?;
             Some([*number, again.0])
         };
         let closed: Vec<[usize; 2]> = end.iter().filter_map(closing).collect();

@@ -3,7 +3,7 @@
 use assur_group::{Body, Order};
 use assur_number::{Lanes, Real};
 
-use crate::{Linkage, Position, PositionError};
+use crate::{ChainError, Linkage, Position, PositionError};
 
 /// Pose and derivatives of all links at eight coordinates: the scratch of [`Linkage::solve_lanes`].
 ///
@@ -80,6 +80,30 @@ impl Linkage {
             }
         }
         if alone.contains(&true) { self.solve_alone(alone, order, position) } else { Ok(()) }
+    }
+
+    /// Over time, all links at eight solved positions for PF1 and PF2 with respect to the coordinate of each drive, the others at
+    /// rest; none where the coordinate is that of a drive. NaN where the groups can't be derived.
+    pub fn partials(&self, position: &LanePosition) -> Vec<Vec<Body<Lanes>>> {
+        let drives = if self.kind().is_time() { self.mechanism.input.drivers.len() } else { 0 };
+        let of_drive = |drive: usize| {
+            let mut all = position.bodies.clone();
+            for lane in 0..Lanes::WIDTH {
+                let time = position.coordinates.0[lane];
+                let mut bodies: Vec<_> = position.bodies.iter().map(|body| body.lane(lane)).collect();
+                if self.derive_by(drive, time, &mut bodies).is_err() {
+                    bodies.iter_mut().for_each(|body| (body.w1, body.x1, body.y1) = (f64::NAN, f64::NAN, f64::NAN));
+                }
+                all.iter_mut().zip(&bodies).for_each(|(all, one)| all.set_lane(lane, one));
+            }
+            all
+        };
+        (0..drives).map(of_drive).collect()
+    }
+
+    /// Over time: PF1 and PF2 of all placed links with respect to the coordinate of one drive, the others at rest.
+    pub fn derive_by(&self, drive: usize, time: f64, bodies: &mut [Body<f64>]) -> Result<(), ChainError> {
+        self.chain.derive_by(drive, time, bodies)
     }
 
     /// The lanes that must be solved one at a time: those whose motion is interpolated, or whose groups are in other modes

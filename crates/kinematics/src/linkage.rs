@@ -140,11 +140,6 @@ impl Linkage {
         &self.chain.groups
     }
 
-    /// Whether the coordinate is an angle (rad); otherwise a displacement (m).
-    pub fn angular(&self) -> bool {
-        self.mechanism.input.is_angle()
-    }
-
     /// What the coordinate is.
     pub fn kind(&self) -> CoordinateKind {
         self.mechanism.input.kind()
@@ -225,7 +220,7 @@ impl Linkage {
     #[inline]
     pub(crate) fn followed(&self, coordinate: f64) -> f64 {
         match self.range {
-            Some(AssemblyRange { low, high, full: false }) if self.angular() && high - low < TAU => {
+            Some(AssemblyRange { low, high, full: false }) if self.kind().is_angle() && high - low < TAU => {
                 shifted(coordinate, low, TAU)
             }
             _ => coordinate,

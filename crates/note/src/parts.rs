@@ -73,20 +73,21 @@ fn assembly(context: &Context<'_>) -> Figure {
     let results = context.results;
     let Some(pose) = results.pose(context.positions[0], 0.0) else { return Figure::default() };
     let linkage = &results.linkage;
-    let input = linkage.mechanism.input.placed();
+    let inputs: Vec<LinkId> = linkage.mechanism.input.placed().collect();
     let mut hidden: Vec<LinkId> =
-        (1..linkage.mechanism.links.len()).filter(|link| Some(*link) != input).collect();
+        (1..linkage.mechanism.links.len()).filter(|link| !inputs.contains(link)).collect();
     let mut panel = |title: Text, marked: &[LinkId]| {
         hidden.retain(|link| !marked.contains(link));
         let drawing = Drawing { hidden: &hidden, ..mechanism::drawing(results, marked) };
         Panel { title, ..mechanism::plane(results, drawing.items(&pose)) }
     };
     // A pair between two moving links belongs to a group.
-    let first = input.map(|input| {
-        let title = text!("note-input-link", link = Text::from(&linkage.mechanism.links[input].name));
-        panel(title, &[input])
-    });
-    let mut panels: Vec<Panel> = first.into_iter().collect();
+    let named = |input: &LinkId| Text::from(&linkage.mechanism.links[*input].name);
+    let mut panels = Vec::new();
+    if !inputs.is_empty() {
+        let title = text!("note-input-link", link = assur_words::list(inputs.iter().map(named)));
+        panels.push(panel(title, &inputs));
+    }
     for (index, group) in linkage.structure.groups.iter().enumerate().take(MOST - 1) {
         let kind = name(group.plugin.name.to_uppercase());
         panels.push(panel(text!("note-with-group", number = number(index + 1), kind), &group.frame.links));

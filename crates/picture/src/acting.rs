@@ -5,7 +5,7 @@ use assur_book::catalogue;
 use assur_figure::{Ink, Point, Stroke};
 use assur_force::{LoadState, UnitBalance, drive_direction};
 use assur_kinematics::Position;
-use assur_mechanism::{Balance, GROUND, InputPair, LinkId, PairId};
+use assur_mechanism::{Balance, Driver, GROUND, InputPair, LinkId, PairId};
 use assur_words::{Text, joined, name, text};
 
 use crate::arrows::{Arrow, Kind};
@@ -114,34 +114,49 @@ impl<'a> Acting<'a> {
         }
         if calculation.drive_in(self.state).is_none() {
             let told = catalogue::kind(Column::BALANCING);
-            self.on_input(UnitBalance::of(mechanism), found.balancing, "b", &told);
+            if mechanism.input.sole().is_some() {
+                self.on_input(UnitBalance::of(mechanism), found.balancing, "b", &told);
+            }
+            for ((index, driver), size) in mechanism.input.drivers.iter().enumerate().zip(&found.drives) {
+                self.by_driver(driver, *size, &format!("b{}", index + 1), &told);
+            }
         }
     }
 
-    /// What acts on the input along its coordinate, or where the scene has its balancing load.
-    fn on_input(&mut self, unit: Option<UnitBalance>, size: f64, index: &str, told: &Text) {
+    /// The load of a drive on its link; of a slide between two moving links on both.
+    fn by_driver(&mut self, driver: &Driver, size: f64, index: &str, told: &Text) {
         let (mechanism, bodies) = (&self.results.linkage.mechanism, &self.pose.bodies);
-        let along = drive_direction(mechanism, bodies).map_or([0.0, 0.0, 1.0], |[x, y]| [x, y, 0.0]);
-        let (at, [x, y, moment]) = match (unit.map(|unit| unit.wrench(bodies)), mechanism.balance) {
-            (Some(unit), Some(Balance::Force { at, .. })) => {
-                (bodies[at.link].point(at.at), [unit.fx, unit.fy, 0.0])
-            }
-            (Some(unit), Some(Balance::Moment(link))) => (self.anchor(link), [0.0, 0.0, unit.m]),
-            _ => (self.of_drive(), along),
-        };
+        let along = drive_direction(mechanism, driver, bodies).map_or([0.0, 0.0, 1.0], |[x, y]| [x, y, 0.0]);
+        let [x, y, moment] = along;
+        let at = self.of_driver(driver);
         let symbols = ["F", "M"].map(|letter| format!("{letter}_{{{index}}}"));
         // A cylinder pushes both of its links.
-        let is_pair = mechanism.input.is_relative() && !mechanism.input.is_angle() && unit.is_none();
+        let is_pair = driver.is_relative() && !driver.is_angle();
         for size in [size, -size].into_iter().take(if is_pair { 2 } else { 1 }) {
             self.act(at, [size * x, size * y], size * moment, symbols.clone(), told, Ink::Second);
         }
     }
 
-    /// Where the load of the drive is drawn: at the pair between two moving links, else at the input link.
-    fn of_drive(&self) -> Point {
+    /// What acts on the input along its coordinate, or where the scene has its balancing load.
+    fn on_input(&mut self, unit: Option<UnitBalance>, size: f64, index: &str, told: &Text) {
+        let results = self.results;
+        let (mechanism, bodies) = (&results.linkage.mechanism, &self.pose.bodies);
+        let (at, [x, y, moment]) = match (unit.map(|unit| unit.wrench(bodies)), mechanism.balance) {
+            (Some(unit), Some(Balance::Force { at, .. })) => {
+                (bodies[at.link].point(at.at), [unit.fx, unit.fy, 0.0])
+            }
+            (Some(unit), Some(Balance::Moment(link))) => (self.anchor(link), [0.0, 0.0, unit.m]),
+            _ => return self.by_driver(mechanism.input.first(), size, index, told),
+        };
+        let symbols = ["F", "M"].map(|letter| format!("{letter}_{{{index}}}"));
+        self.act(at, [size * x, size * y], size * moment, symbols, told, Ink::Second);
+    }
+
+    /// Where the load of a drive is drawn: at the pair between two moving links, else at the input link.
+    fn of_driver(&self, driver: &Driver) -> Point {
         let mechanism = &self.results.linkage.mechanism;
-        match mechanism.input.pair {
-            _ if !mechanism.input.is_relative() => self.anchor(mechanism.input.link),
+        match driver.pair {
+            _ if !driver.is_relative() => self.anchor(driver.link),
             InputPair::Pin(pin) => self.results.linkage.point_motion(pin, self.pose).pf0,
             InputPair::Slide(slide) => {
                 let slide = &mechanism.slides[slide];

@@ -85,7 +85,7 @@ impl Shown {
         };
         let [width, height] = results.outline.bounds.size();
         let size = width.min(height).max(FLAT * width.max(height));
-        let derivatives = [1, 2].map(|order| Unit::transfer(false, results.linkage.angular(), order));
+        let derivatives = [1, 2].map(|order| Unit::transfer(false, results.linkage.kind(), order));
         let [first, second] = if has_motion(results) { Unit::MOVING } else { derivatives };
         let units = [first, second, Unit::FORCE];
         let scales = [0, 1, 2].map(|kind| {

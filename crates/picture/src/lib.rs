@@ -108,7 +108,7 @@ impl Look<'_> {
 
 /// Unit in which the coordinate is shown, and its factor from SI.
 pub fn coordinate_unit(linkage: &Linkage) -> (&'static str, f64) {
-    let unit = Unit::place(linkage.angular());
+    let unit = Unit::coordinate(linkage.kind());
     (unit.name, unit.factor)
 }
 

@@ -14,7 +14,7 @@ pub fn figure(results: &Results, look: &Look<'_>, part: ViewPart, most: usize) -
     let regime = found.analysis.dynamics.as_ref().map(|dynamics| &dynamics.regime);
     let panels = match (regime, part) {
         (_, ViewPart::Reduction) => reduction::panels(results, look, found),
-        (Some(regime), ViewPart::Iteration) => regime::iteration(regime, found.linkage.angular()),
+        (Some(regime), ViewPart::Iteration) => regime::iteration(regime, found.linkage.kind()),
         (Some(regime), ViewPart::Course) => regime::course(found, regime, look),
         (_, part) if part != ViewPart::Overview || found.motion.is_empty() => over_time(results, found, look),
         _ => {
@@ -90,8 +90,8 @@ fn loads_over_way(found: &Found, row: usize) -> Option<Panel> {
     let x = Axis::around(told, (0..table.len()).filter_map(|row| table.get(row, place)), 0.0);
     // Several curves name themselves.
     let alone = curves.iter().map(|(told, _)| told.clone()).filter(|_| curves.len() == 1);
-    let angular = analysis.input.angular;
-    let told = if angular { text!("motion-loads") } else { text!("motion-forces") };
-    let title = joined(": ", std::iter::once(plots::titled(told, Unit::load(angular))).chain(alone));
+    let kind = analysis.input.kind;
+    let told = if kind.is_angle() { text!("motion-loads") } else { text!("motion-forces") };
+    let title = joined(": ", std::iter::once(plots::titled(told, Unit::load_of(kind))).chain(alone));
     Some(plots::curves(title, curves, (x, 1.0), Some(now.into())))
 }

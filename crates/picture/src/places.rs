@@ -151,9 +151,9 @@ fn alike(drive: &Motor) -> Option<&'static Motor> {
 
 /// The input link at the end of its shaft, as long as from its pin to its farthest point.
 fn crank(mechanism: &Mechanism, row: &mut Shaft) {
-    let Some(link) = mechanism.input.placed() else { return };
+    let Some(link) = mechanism.input.crank() else { return };
     let places = || (0..mechanism.points.len()).filter_map(|id| mechanism.place_in(id, link));
-    let InputPair::Pin(pin) = mechanism.input.pair else { return };
+    let InputPair::Pin(pin) = mechanism.input.first().pair else { return };
     let pin = mechanism.place_in(pin, link).unwrap_or_default();
     let far = places().map(|at| (at[0] - pin[0]).hypot(at[1] - pin[1])).fold(0.0, f64::max);
     let at = row.at;

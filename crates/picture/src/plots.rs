@@ -8,6 +8,7 @@ use assur_figure::number::digits;
 use assur_figure::{
     Axis, AxisKind, Bounds, Cursor, Frame, Ink, Item, Key, Panel, Point, Sample, Scale, Sign, Stroke,
 };
+use assur_mechanism::CoordinateKind;
 use assur_kinematics::Linkage;
 use assur_words::{Text, joined, list, name, number, text, unit};
 
@@ -34,7 +35,7 @@ pub(crate) fn coordinate_axis(linkage: &Linkage) -> Axis {
     let (symbol, input) = (coordinate_unit(linkage).0, &linkage.mechanism.input);
     let last = input.positions - usize::from(!input.is_cycle());
     let ends = [0.0, last as f64].map(|at| coordinate_at(linkage, at));
-    let kind = if linkage.angular() { AxisKind::Degrees } else { AxisKind::Linear };
+    let kind = if linkage.kind().is_angle() { AxisKind::Degrees } else { AxisKind::Linear };
     Axis { kind, ..Axis::around(list([coordinate_name(linkage), unit(symbol)]), ends, 0.0) }
 }
 
@@ -119,7 +120,11 @@ pub(crate) fn coordinate_name(linkage: &Linkage) -> Text {
 
 /// The SI unit of the coordinate, in which a motion over time has it.
 pub(crate) fn raw_coordinate(linkage: &Linkage) -> &'static str {
-    if linkage.angular() { "rad" } else { "m" }
+    match linkage.kind() {
+        CoordinateKind::Angle => "rad",
+        CoordinateKind::Length => "m",
+        CoordinateKind::Time => "s",
+    }
 }
 
 /// A name behind its number: `2 resistance`.

@@ -39,7 +39,7 @@ impl Reduced {
     fn of(results: &Results, look: &Look<'_>, found: &Found) -> Option<Self> {
         let (linkage, calculation) = (&results.linkage, found.plans.calculation());
         let point = ReductionPoint::farthest(&linkage.mechanism)?;
-        let InputPair::Pin(pin) = linkage.mechanism.input.pair else { return None };
+        let InputPair::Pin(pin) = linkage.mechanism.input.first().pair else { return None };
         let loads = calculation.loads.as_ref()?;
         let place = |number| results.moving(number, 0.0);
         let count = results.positions();

@@ -9,6 +9,7 @@ use assur_figure::number::{digits, plain};
 use assur_figure::{
     Axis, AxisKind, Bounds, Figure, Frame, Ink, Item, Key, Panel, Point, Sample, Sign, Stroke,
 };
+use assur_mechanism::CoordinateKind;
 use assur_kinematics::Linkage;
 use assur_words::{Text, joined, list, name, number, quantity, text, unit};
 
@@ -19,7 +20,7 @@ pub fn drive(results: &Results, look: &Look<'_>, part: ViewPart, columns: usize)
     let Some(found) = &results.found else { return Figure::default() };
     let Some(dynamics) = &found.analysis.dynamics else { return Figure::default() };
     let panels = match part {
-        ViewPart::EnergyMass => vec![energy_mass(&dynamics.energy_mass, found.linkage.angular())],
+        ViewPart::EnergyMass => vec![energy_mass(&dynamics.energy_mass, found.linkage.kind())],
         ViewPart::Reduction => reduction::link(results, look, found).into_iter().collect(),
         ViewPart::Inertia => {
             let (panel, legend) = shares(found, dynamics, look);
@@ -58,7 +59,7 @@ pub(crate) fn course(found: &Found, regime: &RegimeOverCycle, look: &Look<'_>) -
         lines.push((text!("regime-first-turn"), first_turn));
     }
     let now = cursor(&found.linkage, look);
-    let title = plots::titled(text!("regime-input-speed"), Unit::rates(found.linkage.angular())[0]);
+    let title = plots::titled(text!("regime-input-speed"), Unit::rates_of(found.linkage.kind())[0]);
     let speed = plots::curves(title, lines, axis(&found.linkage), Some(now.into()));
     let energies = plots::energies(found, Column::COORDINATE, axis(&found.linkage), now);
     [speed, moments(found, regime, look)].into_iter().chain(energies).collect()
@@ -93,9 +94,9 @@ pub(crate) fn moments(found: &Found, regime: &RegimeOverCycle, look: &Look<'_>) 
     };
     let area = found.analysis.dynamics.as_ref().and_then(|found| excess(found, [&lines[0].1, &lines[1].1]));
     let (x, factor) = axis(&found.linkage);
-    let angular = found.linkage.angular();
-    let told = if angular { text!("regime-moments") } else { text!("regime-forces") };
-    let title = plots::titled(told, Unit::load(angular));
+    let kind = found.linkage.kind();
+    let told = if kind.is_angle() { text!("regime-moments") } else { text!("regime-forces") };
+    let title = plots::titled(told, Unit::load_of(kind));
     let mut panel = plots::curves(title, lines, (x, factor), Some(cursor(&found.linkage, look).into()));
     if let Some((mut outline, work)) = area {
         for at in &mut outline {
@@ -174,10 +175,10 @@ fn mark_section(panel: &mut Panel, dynamics: &Dynamics, section: &[[f64; 2]]) {
 }
 
 /// Work of all loads over the reduced inertia of the links, with the tangents that belong to the least and the greatest speed.
-pub(crate) fn energy_mass(diagram: &EnergyMass, angular: bool) -> Panel {
+pub(crate) fn energy_mass(diagram: &EnergyMass, kind: CoordinateKind) -> Panel {
     let inertias = || diagram.curve.iter().map(|at| at[0]);
-    let told = if angular { text!("regime-links-inertia") } else { text!("regime-links-mass") };
-    let x = Axis::around(plots::titled(told, Unit::inertias(angular)[0]), inertias(), 0.0);
+    let told = if kind.is_angle() { text!("regime-links-inertia") } else { text!("regime-links-mass") };
+    let x = Axis::around(plots::titled(told, Unit::inertias(kind)[0]), inertias(), 0.0);
     let [x0, y0] = diagram.origin;
     let line =
         |slope: f64| Course::from_points(x.range.map(|inertia| [inertia, y0 + slope * (inertia - x0)]));
@@ -205,7 +206,7 @@ pub(crate) fn shares(found: &Found, dynamics: &Dynamics, look: &Look<'_>) -> (Pa
         Some(dynamics.regime.found.drive_inertia + sum)
     };
     let (_, factor) = coordinate_unit(&found.linkage);
-    let [inertia, _] = Unit::inertias(found.linkage.angular());
+    let [inertia, _] = Unit::inertias(found.linkage.kind());
     let (mut items, mut samples) = (Vec::new(), Vec::new());
     for count in 0..=links.len() {
         let value = |table: &Table, row: usize| level(table, row, count);
@@ -238,7 +239,7 @@ pub(crate) fn shares(found: &Found, dynamics: &Dynamics, look: &Look<'_>) -> (Pa
 }
 
 /// The iteration to the periodic regime, and the trials of ratio and flywheel, as parts of the values found (S fig. 10).
-pub(crate) fn iteration(regime: &RegimeOverCycle, angular: bool) -> Vec<Panel> {
+pub(crate) fn iteration(regime: &RegimeOverCycle, kind: CoordinateKind) -> Vec<Panel> {
     let curve = |told: &'static str, values: Vec<f64>| {
         let points = values.into_iter().enumerate().map(|(at, y)| [(at + 1) as f64, y]);
         (text!(told), Course::from_points(points))
@@ -254,7 +255,7 @@ pub(crate) fn iteration(regime: &RegimeOverCycle, angular: bool) -> Vec<Panel> {
             curve("regime-start", turns.iter().map(|turn| turn.speed_start).collect()),
             curve("regime-end", turns.iter().map(|turn| turn.speed_end).collect()),
         ];
-        let title = plots::titled(text!("regime-ends"), Unit::rates(angular)[0]);
+        let title = plots::titled(text!("regime-ends"), Unit::rates_of(kind)[0]);
         panels.push(panel(title, "regime-cycle", turns.len(), ends));
     }
     let Some(last) = trials.last() else { return panels };

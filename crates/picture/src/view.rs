@@ -61,7 +61,7 @@ impl Picture {
             (Self::Structure, ViewPart::Events) => found.is_some_and(|found| !found.events.is_empty()),
             (Self::Motion, ViewPart::Reduction) => found.is_some_and(|found| {
                 let moment = Column::of(Quantity::ReducedMoment, Owner::Input);
-                results.linkage.angular() && found.rows().0.schema().find(moment).is_some()
+                results.linkage.kind().is_angle() && found.rows().0.schema().find(moment).is_some()
             }),
             _ => true,
         };

@@ -2,7 +2,7 @@
 
 use assur_force::{LoadError, LoadFault};
 use assur_kinematics::PositionError;
-use assur_mechanism::{Key, LinkId, Mechanism, Named};
+use assur_mechanism::{CoordinateKind, Key, LinkId, Mechanism, Named};
 use assur_words::{Describe, Text, text};
 use serde::Serialize;
 
@@ -13,8 +13,9 @@ pub struct Shaking {
     pub format: u32,
     /// Title of the scene.
     pub title: String,
-    /// Whether coordinates are angles, rad; otherwise m.
-    pub angular: bool,
+    /// Whether coordinates are angles, rad; otherwise m, or s over time.
+    #[serde(rename = "angular")]
+    pub kind: CoordinateKind,
     /// Sizes without counterweights.
     pub before: Size,
     /// Harmonics without counterweights, from order 0.

@@ -38,7 +38,7 @@ pub fn shaking(linkage: &Linkage, state: &dyn Fn(f64) -> LoadState) -> Result<Sh
     Ok(Shaking {
         format: FORMAT,
         title: mechanism.title.clone(),
-        angular: input.is_angle(),
+        kind: input.kind(),
         before,
         harmonics,
         balances: balances.into_iter().map(|(balanced, _)| balanced).collect(),

@@ -7,7 +7,7 @@ use fluent_bundle::{FluentArgs, FluentResource, FluentValue, concurrent::FluentB
 use serde::{Serialize, Serializer};
 use unic_langid::LanguageIdentifier;
 
-use crate::{Text, text::Content};
+use crate::{CoordinateKind, Text, text::Content};
 
 /// The codes of the languages, English first.
 pub const LANGUAGES: [&str; 3] = ["en", "uk", "ru"];
@@ -191,6 +191,13 @@ macro_rules! resources {
 impl Display for Text {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.pad(&Language::english().render(self))
+    }
+}
+
+/// Whether it is an angle.
+impl Serialize for CoordinateKind {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_bool(self.is_angle())
     }
 }
 

@@ -61,7 +61,7 @@ impl Work<'_> {
             let [phi, first, second] = pose.phi.each_ref().map(assur_worksheet::Expr::value);
             let turn = phi - body.s.atan2(body.c);
             let turn = turn - TAU * (turn / TAU).round();
-            let unit = if self.linkage.angular() { 1.0 } else { 1.0 / scale };
+            let unit = if self.linkage.kind().is_angle() { 1.0 } else { 1.0 / scale };
             points
                 && turn.abs() <= AGREEMENT
                 && close(first, body.w1, unit)

@@ -35,7 +35,7 @@ impl Work<'_> {
         let mechanism = &self.linkage.mechanism;
         let link = mechanism.input.first().link;
         let Some(place) = ReductionPoint::farthest(mechanism)
-            .filter(|_| self.linkage.angular())
+            .filter(|_| self.linkage.kind().is_angle())
             .and_then(|found| mechanism.place_in(found.point.id, link))
         else {
             return;
@@ -96,7 +96,7 @@ impl Work<'_> {
 
     /// The balancing load of the input.
     pub(crate) fn balancing_at_input(&self) -> Symbol {
-        balancing(if self.linkage.angular() { "M" } else { "F" })
+        balancing(if self.linkage.kind().is_angle() { "M" } else { "F" })
     }
 }
 

@@ -164,7 +164,7 @@ impl Working {
             let finite = loads.finite(&linkage.mechanism, &state, &position.bodies);
             finite.map_err(|error| WorkingError::Load { place, error })?;
         }
-        let units = if linkage.angular() { Units::ANGULAR } else { Units::LINEAR };
+        let units = if linkage.kind().is_angle() { Units::ANGULAR } else { Units::LINEAR };
         let sheet = Sheet::new(names::of(linkage), units);
         let mut work = Work {
             linkage,

@@ -94,7 +94,7 @@ impl Work<'_> {
                 let what = text!("working-inertia-here", formula = name(law.formula.text().to_owned()));
                 let inertia = self.sheet.given(symbol, inertia, "kg·m²", what);
                 let symbol = Symbol::from("I").prime(1).of(self.sheet.body_name(link));
-                let unit = if self.linkage.angular() { "kg·m²/rad" } else { "kg·m" };
+                let unit = if self.linkage.kind().is_angle() { "kg·m²/rad" } else { "kg·m" };
                 [inertia, self.sheet.given(symbol, slope, unit, text!("working-inertia-slope-here"))]
             }
         }

@@ -74,7 +74,7 @@ impl Work<'_> {
             }
         }
         let Some(known) = self.sheet.find(self.balancing_at_input()) else { return };
-        let symbol = balancing(if self.linkage.angular() { "ΔM" } else { "ΔF" });
+        let symbol = balancing(if self.linkage.kind().is_angle() { "ΔM" } else { "ΔF" });
         self.sheet.work(symbol, &(&found.balancing - known), self.sheet.units.moment);
     }
 }

@@ -58,7 +58,7 @@ impl Lever<'_> {
 
     /// The velocity of a point for dq = 1, turned, from the pole.
     fn image_step(&self, name: Text, vector: [f64; 2], note: Text) -> ConstructionStep {
-        let unit = if self.linkage.angular() { "m/rad" } else { "m/m" };
+        let unit = if self.linkage.kind().is_angle() { "m/rad" } else { "m/m" };
         let names = [name, Text::default()];
         let kind = VectorKind::Absolute;
         ConstructionStep { unit, ..force(names, kind, [[0.0; 2], vector], note) }

@@ -4,7 +4,7 @@
 
 use std::fmt::Write;
 
-use assur_mechanism::{GROUND, InputPair, Mechanism};
+use assur_mechanism::{GROUND, Mechanism};
 use assur_scene::edit::{ParsedText, replaced};
 use assur_testkit::Rng;
 
@@ -158,7 +158,7 @@ fn input(text: &str, mechanism: &Mechanism, rng: &mut Rng) -> Option<String> {
         }
     }
     let end = section(&after);
-    if matches!(mechanism.input.pair, InputPair::Pin(_)) && !after[..end].contains("from") {
+    if mechanism.input.is_angle() && !after[..end].contains("from") {
         let from = if rng.chance(0.3) { 90.0 * rng.below(4) as f64 } else { rng.range(-180.0, 360.0) };
         after.insert_str(0, &format!("\nfrom = \"{from} deg\""));
     }

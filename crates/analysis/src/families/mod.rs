@@ -4,6 +4,7 @@
 //! [`Sink`]: a schema takes the columns, a table the numbers. A further quantity in the
 //! results is a further family in [`Of::emit`]; the writers need a name for it.
 
+mod drives;
 mod friction;
 mod loads;
 mod motion;
@@ -13,7 +14,7 @@ use std::sync::Arc;
 
 use assur_dynamics::Instant;
 use assur_force::{LoadState, Reactions};
-use assur_group::Order;
+use assur_group::{Body, Order};
 use assur_integrator::Reduced;
 use assur_kinematics::LanePosition;
 use assur_number::{Lanes, Real};
@@ -141,6 +142,8 @@ pub(crate) struct Rows<'a> {
     pub(crate) reactions: Option<(&'a Joints, &'a Reactions<Lanes>, Mask)>,
     /// The balancing load, N m or N.
     pub(crate) balancing: [Option<f64>; Lanes::WIDTH],
+    /// Over time all links for the derivatives with respect to the coordinate of each drive, the others at rest.
+    pub(crate) partials: Vec<Vec<Body<Lanes>>>,
     /// The values of the loads of the scene, once one is asked for.
     pub(crate) sizes: OnceCell<Vec<Lanes>>,
     /// The greatest force of all pins and slides, N, once it is asked for.
@@ -168,18 +171,28 @@ impl Rows<'_> {
 /// The columns of places, with rates if these move, and with loads and reactions if they have forces.
 fn positions(found: &Calculation, moves: bool, has_forces: bool, to: &mut impl Sink) {
     let wanted = &found.plan.wanted;
-    motion::coordinate(to);
-    if moves {
-        motion::speeds(to);
+    if found.linkage.kind().is_time() {
+        motion::time(to);
+        drives::coordinates(found, moves, to);
+    } else {
+        motion::coordinate(to);
+        if moves {
+            motion::speeds(to);
+        }
     }
     motion::links(wanted, to);
     motion::points(wanted, to);
     motion::slides(wanted, to);
+    drives::partials(found, to);
     if moves && found.plan.velocities {
         motion::rates(wanted, to);
     }
     if found.plan.reduction && found.loads.is_some() {
-        loads::reduced(found, to);
+        if found.linkage.kind().is_time() {
+            drives::reduced(found, to);
+        } else {
+            loads::reduced(found, to);
+        }
     }
     if has_forces && found.knows_all_loads() {
         loads::loads(found, to);
@@ -191,7 +204,8 @@ fn positions(found: &Calculation, moves: bool, has_forces: bool, to: &mut impl S
     if has_forces {
         forces(found, to);
         // The efficiency of a motion over time would be 0/0 at rest.
-        if found.has_forces() && found.has_friction() && found.positions_have_forces() {
+        let is_timed = found.linkage.kind().is_time();
+        if !is_timed && found.has_forces() && found.has_friction() && found.positions_have_forces() {
             friction::efficiencies(found, to);
         }
     }
@@ -212,7 +226,11 @@ fn forces(found: &Calculation, to: &mut impl Sink) {
     if found.has_friction() {
         friction::frictions(found, to);
     }
-    friction::balancing(to);
+    if found.linkage.kind().is_time() {
+        drives::loads(found, to);
+    } else {
+        friction::balancing(to);
+    }
 }
 
 /// 1 / |determinant| of the groups that are solved; a group in a singular position has none that is a number.

@@ -173,7 +173,7 @@ fn carry_by_friction(mechanism: &Mechanism, links: &mut [bool]) -> bool {
 /// Whether a load that is always against the motion acts outside the input link: PF1 together with PF2 shows whether
 /// its point is at rest.
 pub(crate) fn opposed(mechanism: &Mechanism) -> bool {
-    let far = |link: LinkId| link != GROUND && Some(link) != mechanism.input.placed();
+    let far = |link: LinkId| link != GROUND && Some(link) != mechanism.input.crank();
     mechanism.loads.iter().any(|load| load.kind.is_against_motion() && load.kind.links().any(far))
 }
 

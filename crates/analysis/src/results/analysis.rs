@@ -3,7 +3,7 @@
 use assur_check::Check;
 use assur_diagram::{Enveloping, Hodograph, PlanSheet, ReactionExtreme, SignChange};
 use assur_integrator::{Event, SolutionCost, State};
-use assur_mechanism::{Key, LinkId, Name, Named, PairId, SlideId, Warning};
+use assur_mechanism::{CoordinateKind, Key, LinkId, Name, Named, PairId, SlideId, Warning};
 use assur_words::{Text, text};
 use indexmap::IndexMap;
 use serde::{Serialize, Serializer};
@@ -100,8 +100,9 @@ pub struct InputReport {
     /// The pair in which it is driven against another moving link; `None` where it is driven against the ground.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub pair: Option<Named<PairId>>,
-    /// Whether the coordinate is an angle (rad), otherwise a displacement (m).
-    pub angular: bool,
+    /// Whether the coordinate is an angle (rad); otherwise a displacement (m), or the time (s).
+    #[serde(rename = "angular")]
+    pub kind: CoordinateKind,
     /// Whether the balancing load is a moment (N m), otherwise a force (N).
     pub balancing_is_moment: bool,
 }

@@ -13,6 +13,14 @@ pub enum Quantity {
     /// input (PF0 only): the coordinate itself. Of a link: its angle, continuous from row to row. Of a point: its
     /// projections in the frame of the ground. Of a slide: its displacement.
     Transfer(u8),
+    /// Over time PF1 or PF2 of a link, a point or a slide with respect to the coordinate of one drive, by its index among
+    /// [`Schema::drives`](super::Schema::drives), the others at rest.
+    Partial {
+        /// The drive.
+        drive: usize,
+        /// 1 or 2.
+        order: u8,
+    },
     /// First derivative with respect to time of PF0 of the input, a link, a point or a slide.
     Velocity,
     /// Second derivative with respect to time.
@@ -98,6 +106,8 @@ pub enum Owner {
     Group(usize),
     /// A load of the scene, by its index among [`Schema::loads`](super::Schema::loads).
     Load(usize),
+    /// What is driven over time, by its index among [`Schema::drives`](super::Schema::drives).
+    Drive(usize),
     /// A further force of the analyzer, by its index among [`Schema::further`](super::Schema::further).
     Method(usize),
 }

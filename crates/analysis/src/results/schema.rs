@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use assur_mechanism::{Mechanism, Name, PairId};
+use assur_mechanism::{CoordinateKind, Mechanism, Name, PairId};
 
 use super::{Column, Owner, Quantity};
 
@@ -19,7 +19,7 @@ impl Section {
 ///
 /// It is made once for a scene; tables share it. Columns stand in the order of the results: motion of links, points and
 /// slides, their derivatives with respect to time, reduction, reactions, condition.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Schema {
     columns: Vec<Column>,
     section_of: Vec<Section>,
@@ -36,12 +36,28 @@ pub struct Schema {
     pub loads: Vec<(Name, &'static str)>,
     /// Names of the further forces of the analyzer.
     pub further: Vec<Name>,
-    /// Whether the coordinate is an angle (rad), otherwise a displacement (m).
-    pub angular: bool,
+    /// What the coordinate is.
+    pub kind: CoordinateKind,
+    /// Over time what is driven: its name, and whether its coordinate is an angle.
+    pub drives: Vec<(Name, bool)>,
+    /// Whether results name each drive.
+    pub names_drives: bool,
     /// Whether the balancing load is a moment, otherwise a force.
     pub balances_by_moment: bool,
     /// Names of the causes of reactions: `weight`, `inertia`, then the loads.
     pub causes: Vec<Name>,
+}
+
+/// Over time what is driven.
+fn drives(mechanism: &Mechanism) -> Vec<(Name, bool)> {
+    let timed = mechanism.input.drivers.iter().filter(|driver| driver.law.is_some());
+    timed.map(|driver| (driver.label.clone(), driver.is_angle())).collect()
+}
+
+impl Default for Schema {
+    fn default() -> Self {
+        Self::empty(CoordinateKind::Angle)
+    }
 }
 
 impl Schema {
@@ -53,9 +69,31 @@ impl Schema {
             points: mechanism.points.iter().map(|point| point.name.clone()).collect(),
             slides: mechanism.slides.iter().map(|slide| slide.name.clone()).collect(),
             loads: mechanism.loads.iter().map(|load| (load.name.clone(), load.kind.unit())).collect(),
-            angular: mechanism.input.is_angle(),
+            drives: drives(mechanism),
+            names_drives: mechanism.input.is_list,
             balances_by_moment: mechanism.balances_by_moment(),
-            ..Self::default()
+            ..Self::empty(mechanism.input.kind())
+        }
+    }
+
+    /// Without columns and names.
+    fn empty(kind: CoordinateKind) -> Self {
+        Self {
+            columns: Vec::new(),
+            section_of: Vec::new(),
+            sections: 0,
+            nullable: Vec::new(),
+            places: HashMap::new(),
+            links: Vec::new(),
+            points: Vec::new(),
+            slides: Vec::new(),
+            loads: Vec::new(),
+            further: Vec::new(),
+            kind,
+            drives: Vec::new(),
+            names_drives: false,
+            balances_by_moment: false,
+            causes: Vec::new(),
         }
     }
 
@@ -81,6 +119,10 @@ impl Schema {
     pub fn add(&mut self, section: Section, columns: impl IntoIterator<Item = Column>) {
         for column in columns {
             self.places.insert(column, self.columns.len());
+            if column == Column::TIME && self.kind.is_time() {
+                // The time is the coordinate.
+                self.places.insert(Column::COORDINATE, self.columns.len());
+            }
             self.columns.push(column);
             self.section_of.push(section);
         }
@@ -128,6 +170,7 @@ impl Schema {
             | Owner::PairOn(PairId::Slide(slide), _) => Some(&self.slides[slide]),
             Owner::Load(load) => Some(&self.loads[load].0),
             Owner::Method(force) => self.further.get(force),
+            Owner::Drive(drive) => self.drives.get(drive).map(|(name, _)| name),
         }
     }
 

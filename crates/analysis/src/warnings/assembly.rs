@@ -135,7 +135,7 @@ impl Calculation {
     /// of its change points in several of them.
     fn are_one(&self, a: f64, b: f64) -> bool {
         let apart = (a - b).abs();
-        if !self.linkage.angular() {
+        if !self.linkage.kind().is_angle() {
             return apart < SAME;
         }
         let turn = std::f64::consts::TAU;
@@ -150,7 +150,7 @@ impl Calculation {
         let Range::To(to) = input.range else { return true };
         let (low, high) = (input.from.min(to) - SAME, input.from.max(to) + SAME);
         let turn = std::f64::consts::TAU;
-        let next = if self.linkage.angular() {
+        let next = if self.linkage.kind().is_angle() {
             coordinate + turn * ((low - coordinate) / turn).ceil()
         } else {
             coordinate
@@ -160,7 +160,7 @@ impl Calculation {
 
     /// A coordinate as shown to a reader.
     fn show(&self, coordinate: f64) -> Text {
-        if !self.linkage.angular() {
+        if !self.linkage.kind().is_angle() {
             return millimeters(coordinate, 4);
         }
         // A place within rounding of a whole turn is 0.

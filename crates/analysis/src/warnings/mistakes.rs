@@ -175,7 +175,7 @@ impl Calculation {
     /// What a point of the mechanism moves per unit of the coordinate: m/rad, or 1.
     fn unit(&self) -> [f64; 2] {
         let size = self.linkage.structure.scale;
-        [size, if self.linkage.angular() { size } else { 1.0 }]
+        [size, if self.linkage.kind().is_angle() { size } else { 1.0 }]
     }
 }
 

@@ -12,7 +12,7 @@ pub use path::{KEYS, PathStep, csv, csv_of, path};
 pub use unit::{Unit, unit};
 pub use words::{further, head, kind, owner, short, subject};
 
-use Owner::{Input, Link, PairOn, Slide};
+use Owner::{Drive, Input, Link, PairOn, Slide};
 use Quantity as Q;
 use unit::Measure as M;
 
@@ -26,7 +26,7 @@ struct Entry {
     /// What it measures, from which its unit follows.
     measure: M,
     /// Its keys in the JSON of a row; empty where it has none. `*` stands for the name of the owner, `+` for the link on which a
-    /// force acts.
+    /// force acts, `@` for the name of a drive where results name each.
     json: &'static str,
     /// Its name in CSV and Parquet without the unit; empty where these don't have it. `%` stands for the axis of a projection.
     csv: &'static str,
@@ -60,6 +60,17 @@ macro_rules! rows {
 rows! {
     Q::Time, _ => PLAIN "quantity-time", "t", M::In(Unit::SECOND), "time", "time";
     Q::Transfer(_), Input => PLAIN "quantity-coordinate", "q", M::Transfer(0), "coordinate", "coordinate";
+    Q::Transfer(_), Drive(_) => PLAIN "quantity-coordinate", "q", M::Transfer(0), "coordinates.@", "coordinate_@";
+    Q::Velocity, Drive(_) => SENSE "quantity-speed", "ω", M::Rate(0), "speeds.@", "speed_@";
+    Q::Acceleration, Drive(_) => SENSE "quantity-input-acceleration", "ε", M::Rate(1),
+        "accelerations_of_inputs.@", "acceleration_@";
+    Q::Partial { order: 1, .. }, Link(_) => SENSE "quantity-pf1", "", M::Partial, "links.*.pf1.@", "*_angle_pf1_@";
+    Q::Partial { .. }, Link(_) => SENSE "quantity-pf2", "", M::Partial, "links.*.pf2.@", "*_angle_pf2_@";
+    Q::Partial { order: 1, .. }, Slide(_) => SENSE "quantity-pf1", "", M::Partial,
+        "slides.*.pf1.@", "*_displacement_pf1_@";
+    Q::Partial { .. }, Slide(_) => SENSE "quantity-pf2", "", M::Partial, "slides.*.pf2.@", "*_displacement_pf2_@";
+    Q::Partial { order: 1, .. }, _ => SENSE "quantity-pf1", "", M::Partial, "points.*.pf1.@", "*_%_pf1_@";
+    Q::Partial { .. }, _ => SENSE "quantity-pf2", "", M::Partial, "points.*.pf2.@", "*_%_pf2_@";
     Q::Velocity, Input => SENSE "quantity-speed", "ω", M::Rate(0), "speed", "speed";
     Q::Acceleration, Input => SENSE "quantity-input-acceleration", "ε", M::Rate(1), "acceleration", "acceleration";
     Q::DrivingWork, _ => PLAIN "quantity-work-driving", "", M::In(Unit::JOULE), "work_driving", "work_driving";
@@ -107,6 +118,7 @@ rows! {
     Q::Force, _ => SENSE "quantity-force", "F", M::In(Unit::FORCE), "", "";
     Q::Moment, _ => SENSE "quantity-moment", "M", M::In(Unit::MOMENT), "reactions.*.moment", "*_moment";
     Q::Offset, _ => PLAIN "quantity-offset", "s", M::In(Unit::LENGTH), "", "";
+    Q::Balancing, Drive(_) => SENSE "quantity-balancing", "", M::Balancing, "balancing.@", "balancing_@";
     Q::Balancing, _ => SENSE "quantity-balancing", "", M::Balancing, "balancing", "balancing";
     Q::OfMethod, _ => SENSE "quantity-force", "", M::In(Unit::FORCE), "method.*", "method_*";
     Q::FrictionMoment, PairOn(..) => SENSE "quantity-friction-moment", "Mf", M::In(Unit::MOMENT),

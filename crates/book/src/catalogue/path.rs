@@ -16,7 +16,7 @@ pub enum PathStep<'a> {
 }
 
 /// The keys of a row in JSON, in their order.
-pub const KEYS: &str = "time coordinate speed acceleration work_driving work_resisting work_friction kinetic_energy works \
+pub const KEYS: &str = "time coordinate coordinates speed speeds acceleration accelerations_of_inputs work_driving work_resisting work_friction kinetic_energy works \
                         kinetic_energies reduced_loads links \
                         points slides velocities accelerations reduced loads inertia_loads shaking reactions method \
                         friction balancing balancing_without_friction efficiency reactions_by_cause balancing_by_cause holding residuals condition friction_certificate";
@@ -34,16 +34,30 @@ fn link(schema: &Schema, column: Column) -> &str {
     if let Owner::PairOn(_, link) = column.owner { &schema.links[link] } else { "" }
 }
 
+/// The name of the drive to which a column belongs, or with respect to whose coordinate it is derived, where results name each.
+fn drive(schema: &Schema, column: Column) -> Option<&str> {
+    let index = match (column.quantity, column.owner) {
+        (Quantity::Partial { drive, .. }, _) | (_, Owner::Drive(drive)) => drive,
+        _ => return None,
+    };
+    schema.drives.get(index).filter(|_| schema.names_drives).map(|(name, _)| name.as_str())
+}
+
 /// Where a column stands in the object of a row; `None` where JSON does not have it. The share of a cause stands under the
 /// cause.
 pub fn path(schema: &Schema, column: Column) -> Option<Vec<PathStep<'_>>> {
     let pattern = Some(of(column).json).filter(|keys| !keys.is_empty())?;
+    let drive = drive(schema, column);
     let key = |key| match key {
-        "*" => owner(schema, column),
-        "+" => link(schema, column).into(),
-        key => key.into(),
+        "*" => Some(owner(schema, column)),
+        "+" => Some(link(schema, column).into()),
+        "@" => drive.map(Into::into),
+        "coordinates" if drive.is_none() => Some("coordinate".into()),
+        "speeds" if drive.is_none() => Some("speed".into()),
+        "accelerations_of_inputs" if drive.is_none() => Some("acceleration".into()),
+        key => Some(key.into()),
     };
-    let mut keys: Vec<Cow<'_, str>> = pattern.split('.').map(key).collect();
+    let mut keys: Vec<Cow<'_, str>> = pattern.split('.').filter_map(key).collect();
     if let Some(cause) = column.cause {
         keys[0] += "_by_cause";
         keys.insert(1, schema.causes[cause].as_str().into());
@@ -70,6 +84,10 @@ pub fn csv_of(schema: &Schema, column: Column, statistic: &str) -> Option<String
             '*' => name += &owner(schema, column),
             '+' => name += link(schema, column),
             '%' => name += axis(column.part),
+            '@' => match drive(schema, column) {
+                Some(drive) => name += drive,
+                None => name.truncate(name.len() - 1),
+            },
             c => name.push(c),
         }
     }

@@ -1,6 +1,7 @@
 //! The units of quantities: in SI, as they are shown, and in the names of columns.
 
 use assur_analysis::results::{Column, Owner, Quantity, Schema};
+use assur_mechanism::CoordinateKind;
 use assur_words::{Text, number, quantity};
 
 use super::of;
@@ -42,7 +43,7 @@ impl Unit {
     pub const ANGLE: Self = Self::si("rad").shown("deg", 180.0 / std::f64::consts::PI);
     /// A curvature.
     pub const CURVATURE: Self = Self::si("1/m");
-    /// Angular velocity and angular acceleration.
+    /// Angular velocity and kind acceleration.
     pub const TURNING: [Self; 2] = [Self::si("rad/s"), Self::si("rad/s2")];
     /// Velocity and acceleration.
     pub const MOVING: [Self; 2] = [Self::si("m/s"), Self::si("m/s2")];
@@ -68,18 +69,50 @@ impl Unit {
         if is_angle { Self::TURNING } else { Self::MOVING }
     }
 
-    /// A derivative of an angle or a length with respect to the coordinate of the input, which is an angle where this is `angular`.
-    pub const fn transfer(is_angle: bool, angular: bool, order: u8) -> Self {
-        match (is_angle, angular, order) {
+    /// What the coordinate of a mechanism is.
+    pub const fn coordinate(kind: CoordinateKind) -> Self {
+        match kind {
+            CoordinateKind::Angle => Self::ANGLE,
+            CoordinateKind::Length => Self::LENGTH,
+            CoordinateKind::Time => Self::SECOND,
+        }
+    }
+
+    /// First and second derivative by time of the coordinate of a mechanism.
+    pub const fn rates_of(kind: CoordinateKind) -> [Self; 2] {
+        match kind {
+            CoordinateKind::Angle => Self::TURNING,
+            CoordinateKind::Length => Self::MOVING,
+            CoordinateKind::Time => [Self::NONE, Self::si("1/s")],
+        }
+    }
+
+    /// What acts along the coordinate of a mechanism.
+    pub const fn load_of(kind: CoordinateKind) -> Self {
+        match kind {
+            CoordinateKind::Angle => Self::MOMENT,
+            CoordinateKind::Length => Self::FORCE,
+            CoordinateKind::Time => Self::POWER,
+        }
+    }
+
+    /// A derivative of an angle or a length with respect to the coordinate of the input, which is of this kind.
+    pub const fn transfer(is_angle: bool, kind: CoordinateKind, order: u8) -> Self {
+        use CoordinateKind::{Angle, Length, Time};
+        match (is_angle, kind, order) {
             (_, _, 0) => Self::place(is_angle),
-            (true, true, 1) => Self::si("rad/rad"),
-            (true, true, _) => Self::si("rad/rad2"),
-            (true, false, 1) => Self::si("rad/m"),
-            (true, false, _) => Self::si("rad/m2"),
-            (false, true, 1) => Self::si("m/rad").shown("mm/rad", 1e3),
-            (false, true, _) => Self::si("m/rad2").shown("mm/rad2", 1e3),
-            (false, false, 1) => Self::si("m/m"),
-            (false, false, _) => Self::si("m/m2"),
+            (true, Time, 1) => Self::TURNING[0],
+            (true, Time, _) => Self::TURNING[1],
+            (false, Time, 1) => Self::MOVING[0],
+            (false, Time, _) => Self::MOVING[1],
+            (true, Angle, 1) => Self::si("rad/rad"),
+            (true, Angle, _) => Self::si("rad/rad2"),
+            (true, Length, 1) => Self::si("rad/m"),
+            (true, Length, _) => Self::si("rad/m2"),
+            (false, Angle, 1) => Self::si("m/rad").shown("mm/rad", 1e3),
+            (false, Angle, _) => Self::si("m/rad2").shown("mm/rad2", 1e3),
+            (false, Length, 1) => Self::si("m/m"),
+            (false, Length, _) => Self::si("m/m2"),
         }
     }
 
@@ -89,8 +122,8 @@ impl Unit {
     }
 
     /// Inertia reduced to the input and its derivative with respect to the coordinate.
-    pub const fn inertias(angular: bool) -> [Self; 2] {
-        if angular { [Self::INERTIA, Self::si("kg m2/rad")] } else { [Self::KILOGRAM, Self::si("kg/m")] }
+    pub const fn inertias(kind: CoordinateKind) -> [Self; 2] {
+        if matches!(kind, CoordinateKind::Angle) { [Self::INERTIA, Self::si("kg m2/rad")] } else { [Self::KILOGRAM, Self::si("kg/m")] }
     }
 
     /// The name of a column of numbers in SI, which ends with the unit: `D_x_pf2_m_per_rad2`, `flywheel_kgm2`.
@@ -127,6 +160,8 @@ pub(super) enum Measure {
     Rate(usize),
     /// Inertia reduced to the input, or its derivative.
     Inertia(usize),
+    /// Over time a derivative by the coordinate of one drive.
+    Partial,
     /// What acts on the input along its coordinate.
     OnInput,
     /// The balancing load: a moment or a force.
@@ -139,20 +174,35 @@ pub(super) enum Measure {
 
 /// The unit of a column.
 pub fn unit(schema: &Schema, column: Column) -> Unit {
-    let angular = schema.angular;
+    let kind = schema.kind;
+    let of_drive = |drive: usize| schema.drives.get(drive).is_some_and(|(_, is_angle)| *is_angle);
     let is_angle = match column.owner {
         Owner::Link(_) => true,
-        Owner::Input => angular,
+        Owner::Input => kind.is_angle(),
+        Owner::Drive(drive) => of_drive(drive),
         _ => false,
+    };
+    // Over time what is reduced to a drive is by its coordinate.
+    let kind = match (column.owner, column.quantity) {
+        (Owner::Drive(drive), _) | (_, Quantity::Partial { drive, .. }) if of_drive(drive) => CoordinateKind::Angle,
+        (Owner::Drive(_), _) | (_, Quantity::Partial { .. }) => CoordinateKind::Length,
+        _ => kind,
     };
     match of(column).measure {
         Measure::In(unit) => unit,
-        Measure::Transfer(order) => Unit::transfer(is_angle, angular, order),
+        Measure::Transfer(0) if column.owner == Owner::Input => Unit::coordinate(kind),
+        Measure::Transfer(order) => Unit::transfer(is_angle, kind, order),
+        Measure::Partial => {
+            let order = if let Quantity::Partial { order, .. } = column.quantity { order } else { 1 };
+            Unit::transfer(is_angle, kind, order)
+        }
+        Measure::Rate(order) if column.owner == Owner::Input => Unit::rates_of(kind)[order],
         Measure::Rate(order) => Unit::rates(is_angle)[order],
-        Measure::Inertia(order) => Unit::inertias(angular)[order],
+        Measure::Inertia(order) => Unit::inertias(kind)[order],
+        Measure::Balancing if matches!(column.owner, Owner::Drive(_)) => Unit::load(is_angle),
         Measure::Balancing => Unit::load(schema.balances_by_moment),
         Measure::Power if schema.find(Column::of(Quantity::Velocity, Owner::Input)).is_some() => Unit::POWER,
-        Measure::OnInput | Measure::Power => Unit::load(angular),
+        Measure::OnInput | Measure::Power => Unit::load_of(kind),
         Measure::Load => match column.owner {
             Owner::Load(load) => Unit::si(schema.loads[load].1),
             _ => Unit::FORCE,

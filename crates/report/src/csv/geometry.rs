@@ -8,7 +8,7 @@ use super::{CsvCell, CsvError, write};
 
 /// Centers of the links, curvature of the paths and force angles in every position, SI.
 pub fn geometry(found: &Geometry, ascii: bool) -> Result<String, CsvError> {
-    let unit = if found.angular { "rad" } else { "m" };
+    let unit = if found.kind.is_angle() { "rad" } else { "m" };
     let mut header = vec!["position".to_owned(), format!("coordinate_{unit}")];
     let first = found.positions.first();
     for link in first.iter().flat_map(|at| at.links.keys()) {
@@ -48,7 +48,7 @@ fn row(found: &Geometry, at: &AtPosition) -> Vec<CsvCell<'static>> {
 
 /// Shaking force and moment, input torque, and the force with each set of counterweights, in every position, SI.
 pub fn shaking(found: &Shaking, ascii: bool) -> Result<String, CsvError> {
-    let (unit, torque) = if found.angular { ("rad", "torque_Nm") } else { ("m", "driving_force_N") };
+    let (unit, torque) = if found.kind.is_angle() { ("rad", "torque_Nm") } else { ("m", "driving_force_N") };
     let mut header: Vec<String> = vec!["position".to_owned(), format!("coordinate_{unit}")];
     header.extend(["force_x_N", "force_y_N", "moment_Nm", torque].map(str::to_owned));
     for number in 1..=found.balances.len() {

@@ -42,7 +42,7 @@ fn sides(source: &Source<'_>, page: &mut Document) {
 }
 
 fn enveloping(source: &Source<'_>, found: &Enveloping, page: &mut Document) {
-    let (coordinate, per) = (source.coordinate(), Unit::transfer(false, source.angular, 1));
+    let (coordinate, per) = (source.coordinate(), Unit::transfer(false, source.kind, 1));
     page.heading(text!("report-enveloping", contact = &found.contact));
     page.paragraph(text!(
         "report-enveloping-text",

@@ -70,13 +70,13 @@ fn integration(source: &Source<'_>, found: &Integration, page: &mut Document) {
     if let Some(error) = cost.error {
         page.paragraph(text!("report-motion-error", value = Unit::NONE.show(error)));
     }
-    let raw = Unit::si(if source.angular { "rad" } else { "m" });
+    let raw = Unit::si(if source.kind.is_angle() { "rad" } else { "m" });
     page.paragraph(text!(
         "report-end",
         time = Unit::SECOND.show(found.end.time),
         raw = raw.show(found.end.coordinate),
         coordinate = source.coordinate().show(found.end.coordinate),
-        speed = Unit::rates(source.angular)[0].show(found.end.speed)
+        speed = Unit::rates_of(source.kind)[0].show(found.end.speed)
     ));
     let energy = &found.energy;
     page.paragraph(text!(
@@ -136,7 +136,7 @@ fn samples(source: &Source<'_>, page: &mut Document) {
 
 /// The load that holds the motion at rest or at its speed, from the first sample of each interval of holding.
 fn holding(source: &Source<'_>, page: &mut Document) {
-    let (moment, rate) = (Unit::load(source.angular), Unit::rates(source.angular)[0]);
+    let (moment, rate) = (Unit::load_of(source.kind), Unit::rates_of(source.kind)[0]);
     let all = &source.analysis.trajectory;
     let of = |quantity| each(all, Values::of(quantity, Owner::Input));
     let [time, speed, held, bound] =
@@ -164,7 +164,7 @@ fn events(source: &Source<'_>, found: &Integration, page: &mut Document) {
         .column(text!("head-event"), |event| words_of(event.kind))
         .measured(text!("head-time"), Unit::SECOND, |event| event.state.time)
         .measured(text!("head-coordinate"), source.coordinate(), |event| event.state.coordinate)
-        .measured(text!("head-speed"), Unit::rates(source.angular)[0], |event| event.state.speed);
+        .measured(text!("head-speed"), Unit::rates_of(source.kind)[0], |event| event.state.speed);
     page.table(table.table());
 }
 

@@ -30,7 +30,7 @@ pub enum About {
 
 /// All results that are asked for first, each with what it is about.
 pub fn results(analysis: &Analysis, linkage: &Linkage) -> Vec<(About, Fact)> {
-    let place = Unit::place(analysis.input.angular);
+    let place = Unit::coordinate(analysis.input.kind);
     let of_forces = if is_over_time(analysis) { Unit::SECOND } else { place };
     let mut forces = reactions(analysis, linkage, of_forces);
     forces.extend(balancing(analysis, linkage, of_forces));
@@ -119,12 +119,12 @@ fn change_points(linkage: &Linkage, place: Unit) -> Option<Fact> {
 }
 
 fn end_of_motion(analysis: &Analysis) -> Vec<Fact> {
-    let angular = analysis.input.angular;
+    let kind = analysis.input.kind;
     let facts = analysis.integration.as_ref().map(|found| {
         let time = Fact::number("fact-end-time", found.end.time, Unit::SECOND)
-            .at(&[found.end.coordinate], Unit::place(angular));
+            .at(&[found.end.coordinate], Unit::coordinate(kind));
         let turns = found.turns.map(|turns| Fact::number("fact-turns", turns, Unit::si("rev")));
-        [Some(time), turns, Some(Fact::number("fact-end-speed", found.end.speed, Unit::rates(angular)[0]))]
+        [Some(time), turns, Some(Fact::number("fact-end-speed", found.end.speed, Unit::rates_of(kind)[0]))]
     });
     facts.into_iter().flatten().flatten().collect()
 }
@@ -198,7 +198,7 @@ fn motion(analysis: &Analysis, linkage: &Linkage, place: Unit) -> Vec<Fact> {
         } else {
             let [value, at] =
                 if pf1.max.abs() >= pf1.min.abs() { [pf1.max, pf1.at_max] } else { [pf1.min, pf1.at_min] };
-            let unit = Unit::transfer(!is_slide, analysis.input.angular, 1);
+            let unit = Unit::transfer(!is_slide, analysis.input.kind, 1);
             let fact = of(Fact::number("fact-greatest-pf1", value, unit)).at(&[at], place);
             fact.about(Column::of(Quantity::Transfer(1), owner))
         });
@@ -213,9 +213,9 @@ fn motion(analysis: &Analysis, linkage: &Linkage, place: Unit) -> Vec<Fact> {
 
 /// How far slides and links go in the positions that are calculated: a mechanism that can't be assembled everywhere has no strokes.
 fn travels(analysis: &Analysis, linkage: &Linkage, place: Unit) -> Vec<Fact> {
-    let (table, input) = (&analysis.positions, linkage.mechanism.input.placed());
+    let (table, input) = (&analysis.positions, &linkage.mechanism.input);
     let is_output = |column: &Column| match column.owner {
-        Owner::Link(link) => Some(link) != input,
+        Owner::Link(link) => !input.places(link),
         Owner::Slide(slide) => linkage.mechanism.slides[slide].on == GROUND,
         _ => false,
     };

@@ -124,7 +124,7 @@ fn pairs(table: &LawTable, by: Unit) -> Text {
 
 /// What the scene says about motion and drive.
 pub fn motion_given(source: &Source<'_>, page: &mut Document) {
-    let [speed, acceleration] = Unit::rates(source.angular);
+    let [speed, acceleration] = Unit::rates_of(source.kind);
     let mut facts = match &source.mechanism.motion {
         Some(Motion::Prescribed { speed: w, acceleration: e }) => {
             vec![Fact::number("given-speed", *w, speed), Fact::number("given-acceleration", *e, acceleration)]
@@ -136,7 +136,7 @@ pub fn motion_given(source: &Source<'_>, page: &mut Document) {
         }
         None => Vec::new(),
     };
-    facts.extend(source.mechanism.drive.iter().flat_map(|of| drive(of, Unit::load(source.angular))));
+    facts.extend(source.mechanism.drive.iter().flat_map(|of| drive(of, Unit::load_of(source.kind))));
     page.facts(text!("report-given-motion"), facts);
 }
 

@@ -9,7 +9,7 @@ use super::structure::named;
 
 /// What was measured on the motion.
 pub fn geometry(found: &Geometry, page: &mut Document) {
-    let unit = Unit::place(found.angular);
+    let unit = Unit::coordinate(found.kind);
     page.scene(&found.title);
     strokes(found, unit, page);
     extremes(found, unit, page);
@@ -64,7 +64,7 @@ fn extremes(found: &Geometry, unit: Unit, page: &mut Document) {
     let mut rows = Vec::new();
     let mut add = |of, what, at, unit| rows.push((of, what, at, unit));
     let [length, angle] =
-        [false, true].map(|is| [0, 1, 2].map(|order| Unit::transfer(is, found.angular, order)));
+        [false, true].map(|is| [0, 1, 2].map(|order| Unit::transfer(is, found.kind, order)));
     let slides = found.slides.iter().map(|part| (part, text!("geometry-displacement"), length));
     let links = found.links.iter().map(|part| (part, text!("geometry-angle"), angle));
     for ((of, at), place, units) in slides.chain(links) {

@@ -22,7 +22,7 @@ use std::cell::RefCell;
 use assur_analysis::results::{Analysis, Column as Values, Owner, Quantity, Table};
 use assur_book::{Column, Document, Group, Unit, catalogue};
 use assur_kinematics::Linkage;
-use assur_mechanism::Mechanism;
+use assur_mechanism::{CoordinateKind, Mechanism};
 use assur_words::{Text, name, text};
 
 pub use checks::checks;
@@ -58,7 +58,7 @@ pub struct Source<'a> {
     /// The quantities already reported by a topic.
     told: RefCell<Vec<Quantity>>,
     /// Whether the coordinate of the input is an angle.
-    angular: bool,
+    kind: CoordinateKind,
 }
 
 impl<'a> Source<'a> {
@@ -67,13 +67,13 @@ impl<'a> Source<'a> {
         let all = &analysis.positions;
         let positions =
             positions.map_or_else(|| all.clone(), |list| all.only(|number| list.contains(&number)));
-        let (mechanism, angular) = (&linkage.mechanism, analysis.input.angular);
-        Self { analysis, linkage, mechanism, positions, told: RefCell::default(), angular }
+        let (mechanism, kind) = (&linkage.mechanism, analysis.input.kind);
+        Self { analysis, linkage, mechanism, positions, told: RefCell::default(), kind }
     }
 
     /// The unit of the coordinate of the input.
     fn coordinate(&self) -> Unit {
-        Unit::place(self.angular)
+        Unit::coordinate(self.kind)
     }
 
     /// The head of a column of the coordinate: its own name, or the link whose coordinate it is.

@@ -12,8 +12,8 @@ const ROWS: usize = 48;
 /// The numbers of the regime and of its drive; none without a regime. Every form takes them from here.
 pub fn facts(analysis: &Analysis) -> Vec<Fact> {
     let Some(found) = &analysis.dynamics else { return Vec::new() };
-    let angular = analysis.input.angular;
-    let ([rate, _], place, moment) = (Unit::rates(angular), Unit::place(angular), Unit::load(angular));
+    let kind = analysis.input.kind;
+    let ([rate, _], place, moment) = (Unit::rates_of(kind), Unit::coordinate(kind), Unit::load_of(kind));
     let (figures, regime) = (&found.figures, &found.regime.found);
     let some = |id, value: Option<f64>, unit: Unit| value.map(|value| Fact::number(id, value, unit));
     // Where the loads drive, these facts are named for braking and have the other sign.
@@ -50,7 +50,7 @@ pub fn facts(analysis: &Analysis) -> Vec<Fact> {
         some(
             "fact-shaft-inertia",
             Some(regime.drive_inertia).filter(|inertia| *inertia > 0.0),
-            Unit::inertias(angular)[0],
+            Unit::inertias(kind)[0],
         ),
         some("fact-multiplier", Some(regime.multiplier), Unit::NONE),
     ]
@@ -92,7 +92,7 @@ pub fn iteration(source: &Source<'_>, page: &mut Document) {
         evaluations = effort.evaluations,
         residual = number(format_args!("{:.1e}", effort.residual))
     ));
-    let [rate, _] = Unit::rates(source.angular);
+    let [rate, _] = Unit::rates_of(source.kind);
     let long = |head: Text, unit: Unit| Column::short(head, unit).with(Digits::Long);
     let table = Table::each(text!("report-iteration"), &regime.iterations)
         .column(text!("head-cycle"), |turn| number(turn.number))
@@ -114,8 +114,8 @@ pub fn iteration(source: &Source<'_>, page: &mut Document) {
 /// Speed, moments and inertia over the cycle.
 pub(super) fn course(source: &Source<'_>, page: &mut Document) {
     let Some(regime) = source.analysis.dynamics.as_ref().map(|found| &found.regime) else { return };
-    let ([rate, _], load) = (Unit::rates(source.angular), Unit::load(source.angular));
-    let [inertia, derivative] = Unit::inertias(source.angular);
+    let ([rate, _], load) = (Unit::rates_of(source.kind), Unit::load_of(source.kind));
+    let [inertia, derivative] = Unit::inertias(source.kind);
     // Every so many rows, both ends included; JSON has all.
     let stride = (regime.course.len().saturating_sub(1) / ROWS).max(1);
     let rows: Vec<_> = regime.course.iter().step_by(stride).collect();

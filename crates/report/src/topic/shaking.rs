@@ -78,7 +78,7 @@ type Component = (Text, Unit, fn(&Harmonic) -> f64);
 fn harmonics(found: &Shaking, page: &mut Document) {
     page.heading(text!("shaking-harmonics"));
     page.paragraph(text!("shaking-harmonics-text"));
-    let input = Unit::load(found.angular);
+    let input = Unit::load_of(found.kind);
     let parts: [Component; 8] = [
         (name("Fx cos"), Unit::FORCE, |at| at.x[0]),
         (name("Fx sin"), Unit::FORCE, |at| at.x[1]),
@@ -100,12 +100,12 @@ fn harmonics(found: &Shaking, page: &mut Document) {
 
 fn positions(found: &Shaking, page: &mut Document) {
     page.heading(text!("shaking-positions"));
-    let input = Unit::load(found.angular);
+    let input = Unit::load_of(found.kind);
     let column = |head: Text, unit: Unit, value: &dyn Fn(&AtPosition) -> f64| {
         Column::numbers(head, unit, found.positions.iter().map(|at| Some(value(at))))
     };
     let numbers = Column::counted(text!("head-number"), found.positions.iter().map(|at| at.index));
-    let coordinate = column(text!("head-coordinate"), Unit::place(found.angular), &|at| at.coordinate);
+    let coordinate = column(text!("head-coordinate"), Unit::coordinate(found.kind), &|at| at.coordinate);
     let mut columns = vec![
         column(name("Fx"), Unit::FORCE, &|at| at.force[0]),
         column(name("Fy"), Unit::FORCE, &|at| at.force[1]),

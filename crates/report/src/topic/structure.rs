@@ -3,7 +3,7 @@
 use assur_analysis::{GroupModes, PossibleInput, StructureStudy, results::StructureReport};
 use assur_book::{Block, Column, Document, Table, Term, Unit, link_name, row};
 use assur_kinematics::{CourseEnd, Misfit, ModeMeeting, Unlisted};
-use assur_mechanism::Named;
+use assur_mechanism::{CoordinateKind, Named};
 use assur_structure::roman;
 use assur_words::{Text, joined, list, name, number, ordinal, text};
 use assur_worksheet::Symbol;
@@ -16,11 +16,11 @@ pub fn mobility(source: &Source<'_>, page: &mut Document) {
     let links = list(mechanism.links.iter().skip(1).map(|link| Text::from(&link.name)));
     let input = assur_book::driven_link(mechanism);
     page.paragraph(text!("report-links", count = mechanism.links.len() - 1, links, input));
-    counted(structure, source.analysis.input.angular, page);
+    counted(structure, source.analysis.input.kind, page);
 }
 
 /// Mobility as counted and as it is, formula and class.
-fn counted(structure: &StructureReport, angular: bool, page: &mut Document) {
+fn counted(structure: &StructureReport, kind: CoordinateKind, page: &mut Document) {
     page.paragraph(text!("report-chebyshev"));
     page.blocks.push(Block::Equation(chebyshev(structure)));
     if let Some(found) = structure.mobility_by_rank {
@@ -29,14 +29,14 @@ fn counted(structure: &StructureReport, angular: bool, page: &mut Document) {
     if let Some(note) = &structure.note {
         page.paragraph(text!("report-note", note));
     }
-    structure.passive.iter().for_each(|passive| page.paragraph(passive_part(passive, angular)));
+    structure.passive.iter().for_each(|passive| page.paragraph(passive_part(passive, kind)));
     let class = name(roman(structure.class));
     page.paragraph(text!("report-formula", formula = &structure.formula));
     page.paragraph(text!("report-class", class));
 }
 
 /// A passive part in words, with its misfit where it has one.
-pub fn passive_part(passive: &Misfit, angular: bool) -> Text {
+pub fn passive_part(passive: &Misfit, kind: CoordinateKind) -> Text {
     if passive.fits() {
         return text!("report-passive", what = &passive.what);
     }
@@ -48,7 +48,7 @@ pub fn passive_part(passive: &Misfit, angular: bool) -> Text {
         Some(angle) => Unit::ANGLE.show(size * angle / passive.misfit),
         None => Unit::LENGTH.show(size),
     });
-    let place = Unit::place(angular).show(passive.at);
+    let place = Unit::coordinate(kind).show(passive.at);
     text!("report-misfit", what = &passive.what, misfit, limit, place, closes = closes)
 }
 
@@ -126,13 +126,13 @@ fn groups_of(structure: &StructureReport, page: &mut Document) {
 pub fn study(found: &StructureStudy, page: &mut Document) {
     page.scene(&found.title);
     if let Some(structure) = &found.structure {
-        counted(structure, found.angular, page);
+        counted(structure, found.kind, page);
         groups_of(structure, page);
     }
     if !found.inputs.is_empty() {
         possible_inputs(found, page);
     }
-    let unit = Unit::place(found.angular);
+    let unit = Unit::coordinate(found.kind);
     found.modes.iter().for_each(|group| modes(group, unit, page));
 }
 

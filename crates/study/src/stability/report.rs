@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 
 use assur_kinematics::{CompileError, Linkage};
-use assur_mechanism::Mechanism;
+use assur_mechanism::{CoordinateKind, Mechanism};
 use assur_report::csv::{CsvError, finished};
 use assur_words::Text;
 use serde::Serialize;
@@ -20,8 +20,9 @@ use super::walk::Walk;
 pub struct Stability {
     /// Title of the scene.
     pub title: String,
-    /// Whether coordinates are angles, rad; otherwise m.
-    pub angular: bool,
+    /// Whether coordinates are angles, rad; otherwise m, or s over time.
+    #[serde(rename = "angular")]
+    pub kind: CoordinateKind,
     /// By group: how near it comes to a singular position.
     pub groups: Vec<GroupHealth>,
     /// By length: the least change at which assembly fails, the smallest first.
@@ -77,8 +78,8 @@ pub fn stability(
     rubbing.mechanism.balance = balance;
     let friction = friction(&rubbing, &mut rows, &mut step)?;
     let lengths = margin::margins(&linkage, &lengths, &mut step)?;
-    let (title, angular) = (linkage.mechanism.title.clone(), linkage.angular());
-    let found = Stability { title, angular, groups, lengths, friction, rows, places_left_out, failure };
+    let (title, kind) = (linkage.mechanism.title.clone(), linkage.kind());
+    let found = Stability { title, kind, groups, lengths, friction, rows, places_left_out, failure };
     ControlFlow::Continue(Ok(found))
 }
 

@@ -48,7 +48,7 @@ impl Stability {
     /// Figures of the mechanism, a row for each approach and method, and conclusions.
     pub fn tell(&self, page: &mut Document) {
         page.title(name(self.title.clone()));
-        let coordinate = Unit::place(self.angular);
+        let coordinate = Unit::coordinate(self.kind);
         let nearest = Table::each(text!("stability-nearest"), &self.groups)
             .column(text!("head-group"), |group| group.place.clone())
             .column(text!("stability-head-determinant"), |group| group.health)

@@ -108,7 +108,7 @@ fn legend(state: &State, figure: &Figure, width: usize) -> Vec<(Role, String)> {
 fn input(state: &State, scene: &Scene) -> Vec<Text> {
     let at = state.position;
     let mut lines = vec![text!("panel-coordinate", value = scene.series[0].show(at))];
-    let unit = if scene.linkage.angular() { "rad/s" } else { "m/s" };
+    let unit = if scene.linkage.kind().is_angle() { "rad/s" } else { "m/s" };
     let found = scene.found.as_ref();
     // In a steady regime the speed is a result, one for each position.
     let of_input = Column::of(Quantity::Velocity, Owner::Input);

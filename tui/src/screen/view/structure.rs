@@ -66,7 +66,7 @@ fn events(pen: &mut Pen<'_>, scene: &Scene, area: Rect) {
     let (state, Some(found)) = (pen.state, &scene.found) else { return };
     let [title, area] = Layout::vertical([Constraint::Length(1), Constraint::Min(0)]).areas(area);
     pen.tell(title, 1, 0, text!("events-title"), Role::Header);
-    let unit = Unit::place(scene.linkage.angular());
+    let unit = Unit::coordinate(scene.linkage.kind());
     let lines = page::told(state, area.width.saturating_sub(2), |page| {
         topic::list_of_events(&found.events, unit, page);
         if !found.linkage.mechanism.input.is_cycle() {
@@ -124,7 +124,8 @@ fn lines(state: &State, scene: &Scene, width: u16) -> Vec<(Role, String)> {
     let linkage = &scene.linkage;
     let mechanism = &linkage.mechanism;
     let input = assur_book::driven_link(mechanism);
-    let pair = mechanism.pair_name(mechanism.input.driven_pair());
+    let drivers = mechanism.input.drivers.iter();
+    let pair = words::list(drivers.map(|driver| Text::from(mechanism.pair_name(driver.pair_id()))));
     let mut lines = vec![(Role::Plain, state.told(text!("structure-input", link = input, ground = pair)))];
     if let Some(joined) = state.joined {
         let with = (1..=joined).map(|group| text!("structure-with-group", group = number(group)));
@@ -151,7 +152,7 @@ fn lines(state: &State, scene: &Scene, width: u16) -> Vec<(Role, String)> {
         }
     }
     for passive in &linkage.misfits {
-        lines.extend(indented(topic::passive_part(passive, linkage.angular()), NEXT.len()));
+        lines.extend(indented(topic::passive_part(passive, linkage.kind()), NEXT.len()));
     }
     lines
 }

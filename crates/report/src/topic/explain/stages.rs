@@ -5,8 +5,8 @@ use std::collections::HashSet;
 use assur_analysis::{Methods, Options, plan::Plan};
 use assur_book::{driven_link, link_name};
 use assur_group::Order;
-use assur_mechanism::{
-    Balance, CharacteristicKind, Drive, InputPair, Mechanism, Motion, MotorChoice, Solve, Torque,
+use assur_mechanism::{CoordinateKind, 
+    Balance, CharacteristicKind, Drive, Mechanism, Motion, MotorChoice, Solve, Torque,
 };
 use assur_structure::Structure;
 use assur_words::{Text, joined, list, name, text};
@@ -108,9 +108,10 @@ fn velocities(mechanism: &Mechanism, plan: &Plan) -> Stage {
 /// What the input coordinate is.
 fn coordinate(mechanism: &Mechanism) -> Text {
     let link = driven_link(mechanism);
-    match mechanism.input.pair {
-        InputPair::Pin(_) => text!("explain-angle-of", link),
-        InputPair::Slide(_) => text!("explain-displacement-of", link),
+    match mechanism.input.kind() {
+        CoordinateKind::Angle => text!("explain-angle-of", link),
+        CoordinateKind::Length => text!("explain-displacement-of", link),
+        CoordinateKind::Time => text!("explain-time-of", link),
     }
 }
 
@@ -250,11 +251,12 @@ fn balancing(mechanism: &Mechanism, plan: &Plan) -> Stage {
     }
     let link = |id: usize| link_name(mechanism, id);
     let input = || driven_link(mechanism);
-    let reason = match (mechanism.balance, mechanism.input.pair) {
+    let reason = match (mechanism.balance, mechanism.input.kind()) {
         (Some(Balance::Moment(id)), _) => text!("explain-balance-moment", link = link(id)),
         (Some(Balance::Force { at, .. }), _) => text!("explain-balance-force", link = link(at.link)),
-        (None, InputPair::Pin(_)) => text!("explain-input-moment", link = input()),
-        (None, InputPair::Slide(_)) => text!("explain-input-force", link = input()),
+        (None, CoordinateKind::Angle) => text!("explain-input-moment", link = input()),
+        (None, CoordinateKind::Length) => text!("explain-input-force", link = input()),
+        (None, CoordinateKind::Time) => text!("explain-input-loads", link = input()),
     };
     Ok([reason, text!("explain-equilibrium-of-input")])
 }

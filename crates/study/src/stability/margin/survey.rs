@@ -178,10 +178,11 @@ impl Trial {
 /// By group: whether the change of a length affects it, in its own pairs or through the groups before.
 fn moved(linkage: &Linkage, changed: &Structure) -> Vec<bool> {
     let before = &linkage.structure;
-    let geometry = |structure: &Structure| structure.pairs.first().map(|named| named.pair.geometry);
     let mut links = vec![false; before.links];
-    if let Some(input) = linkage.mechanism.input.placed() {
-        links[input] = geometry(before) != geometry(changed);
+    for ((driver, old), new) in linkage.mechanism.input.drivers.iter().zip(&before.pairs).zip(&changed.pairs) {
+        if !driver.is_relative() {
+            links[driver.link] = old.pair.geometry != new.pair.geometry;
+        }
     }
     let mut moved = Vec::with_capacity(before.groups.len());
     for (old, new) in before.groups.iter().zip(&changed.groups) {

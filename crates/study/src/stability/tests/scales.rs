@@ -111,7 +111,7 @@ impl Pair<'_> {
     fn lengths(mut self, scaled: Result<&Linkage, &String>) {
         let (linkage, before) = self.before;
         let factor = self.factor;
-        let unit = if linkage.angular() { 1.0 } else { factor };
+        let unit = if linkage.kind().is_angle() { 1.0 } else { factor };
         let solved = scaled.map_err(Clone::clone).and_then(|scaled| {
             let mut after = scaled.position();
             let found = scaled.solve(self.q * unit, Order::Second, &mut after);

@@ -1,0 +1,99 @@
+//! Over time: the coordinate, speed and acceleration of each drive, derivatives with respect to each coordinate, the load of each
+//! drive.
+
+use assur_force::{Cause, power};
+use assur_kinematics::{PointMotion, ScalarMotion};
+use assur_mechanism::Driver;
+use assur_number::{Lanes, Real};
+
+use super::{Rows, Sink};
+use crate::Calculation;
+use crate::results::{Column, Owner, Quantity};
+
+/// Coordinates and, where it moves, speeds and accelerations of the drives.
+pub(super) fn coordinates(found: &Calculation, moves: bool, to: &mut impl Sink) {
+    let drivers = &found.linkage.mechanism.input.drivers;
+    let quantities = [Quantity::Transfer(0), Quantity::Velocity, Quantity::Acceleration];
+    for (order, quantity) in quantities.into_iter().enumerate().take(if moves { 3 } else { 1 }) {
+        for (index, driver) in drivers.iter().enumerate() {
+            to.always([Column::of(quantity, Owner::Drive(index))], |rows| [rows.of_law(driver, order)]);
+        }
+    }
+}
+
+/// PF1 with respect to each coordinate, the others at rest; of a single drive PF2 too.
+pub(super) fn partials(found: &Calculation, to: &mut impl Sink) {
+    let (wanted, input) = (&found.plan.wanted, &found.linkage.mechanism.input);
+    if !input.kind().is_time() {
+        return;
+    }
+    let orders: &[u8] = if input.is_list { &[1] } else { &[1, 2] };
+    for &order in orders {
+        for drive in 0..input.drivers.len() {
+            let quantity = Quantity::Partial { drive, order };
+            let of = |numbers: [Lanes; 2]| numbers[usize::from(order) - 1];
+            for &link in &wanted.links {
+                to.always([Column::of(quantity, Owner::Link(link))], |rows| {
+                    let body = &rows.partials[drive][link];
+                    [of([body.w1, body.w2])]
+                });
+            }
+            for (id, at) in &wanted.points {
+                to.always(Column::vector(quantity, Owner::Point(*id)), |rows| {
+                    let PointMotion { pf1, pf2, .. } = PointMotion::of(&rows.partials[drive][at.link], at.at);
+                    if order == 1 { pf1 } else { pf2 }
+                });
+            }
+            for &slide in &wanted.slides {
+                to.always([Column::of(quantity, Owner::Slide(slide))], |rows| {
+                    let found = &rows.calculation.linkage.mechanism.slides[slide];
+                    let ScalarMotion { pf1, pf2, .. } = ScalarMotion::of_slide(found, &rows.partials[drive]);
+                    [of([pf1, pf2])]
+                });
+            }
+        }
+    }
+}
+
+/// Inertia and loads reduced to a single drive.
+pub(super) fn reduced(found: &Calculation, to: &mut impl Sink) {
+    if found.linkage.mechanism.input.is_list || !found.knows_all_loads() {
+        return;
+    }
+    let all = [Quantity::ReducedInertia, Quantity::ReducedInertiaDerivative, Quantity::ReducedMoment];
+    to.always(all.map(|quantity| Column::of(quantity, Owner::Drive(0))), |rows| {
+        let (Some(loads), [bodies]) = (&rows.calculation.loads, &rows.partials[..]) else {
+            return [Lanes::ZERO; 3];
+        };
+        let states = rows.instants.map(|instant| instant.state);
+        let reduced = loads.reduced(&states, bodies);
+        // Which way a load acts follows from the motion in time, its power from the motion with the coordinate.
+        let mut moment = Lanes::ZERO;
+        loads.by_cause(&states, &rows.position.bodies, &mut |cause, link, wrench| {
+            if !matches!(cause, Cause::Inertia(_)) {
+                moment += power(&wrench, &bodies[link]);
+            }
+        });
+        [reduced.inertia, reduced.inertia_derivative, moment]
+    });
+}
+
+/// The load of each drive: a moment, or a force along the guide.
+pub(super) fn loads(found: &Calculation, to: &mut impl Sink) {
+    for drive in 0..found.linkage.mechanism.input.drivers.len() {
+        let section = to.section(true);
+        to.put(section, [Column::of(Quantity::Balancing, Owner::Drive(drive))], |rows| {
+            let (_, reactions, determined) = rows.reactions.as_ref()?;
+            let value = *reactions.drives.get(drive)?;
+            Some(([value], std::array::from_fn(|lane| determined[lane] && value.0[lane].is_finite())))
+        });
+    }
+}
+
+impl Rows<'_> {
+    /// The coordinate of a drive over time, or a derivative of it.
+    fn of_law(&self, driver: &Driver, order: usize) -> Lanes {
+        let law = driver.law.as_ref();
+        Lanes::of(|lane| law.map_or(f64::NAN, |law| law.at(self.instants[lane].state.time)[order]))
+    }
+}
