@@ -28,7 +28,7 @@ pub enum TimeLaw {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Pieces {
     /// One for each two neighboring rows, in order of time; never empty.
-    pieces: Vec<Piece>,
+    all: Vec<Piece>,
     /// Time of the last row, s.
     last: f64,
     /// Whether all of it repeats after the last row: the first value equals the last one.
@@ -113,9 +113,9 @@ impl TimeLaw {
 }
 
 impl Pieces {
-    fn new(pieces: Vec<Piece>, rows: &[[f64; 2]], until: f64) -> Self {
+    fn new(all: Vec<Piece>, rows: &[[f64; 2]], until: f64) -> Self {
         let last = rows.last().map_or(0.0, |row| row[0]);
-        Self { pieces, last, repeats: repeats(rows), until }
+        Self { all, last, repeats: repeats(rows), until }
     }
 
     fn at(&self, time: f64) -> [f64; 3] {
@@ -125,8 +125,8 @@ impl Pieces {
         if round > 0.0 && own <= same && time >= self.until - same {
             own += self.last;
         }
-        let after = self.pieces.partition_point(|piece| piece.start <= own + same).max(1);
-        let Piece { start, factors: [a, b, c, d] } = self.pieces[after - 1];
+        let after = self.all.partition_point(|piece| piece.start <= own + same).max(1);
+        let Piece { start, factors: [a, b, c, d] } = self.all[after - 1];
         let t = own - start;
         [a + t * (b + t * (c + t * d)), b + t * (2.0 * c + 3.0 * t * d), 2.0 * c + 6.0 * t * d]
     }
@@ -134,16 +134,16 @@ impl Pieces {
     /// Whether the speed jumps from one piece, a line, to another; pieces that bend join without a jump.
     fn jumps(&self, piece: usize, next: usize) -> bool {
         let [Piece { factors: [_, one, c, d], .. }, Piece { factors: [_, other, ..], .. }] =
-            [piece, next].map(|index| self.pieces[index]);
+            [piece, next].map(|index| self.all[index]);
         let is_line = c.abs().max(d.abs()) <= 0.0;
         is_line && (other - one).abs() > ROUNDING * one.abs().max(other.abs())
     }
 
     /// Times strictly within the motion at which the speed jumps.
     fn breaks(&self) -> impl Iterator<Item = f64> + '_ {
-        let last = self.pieces.len() - 1;
+        let last = self.all.len() - 1;
         let inner = (0..last).filter(|piece| self.jumps(*piece, piece + 1));
-        let mut own: Vec<f64> = inner.map(|piece| self.pieces[piece + 1].start).collect();
+        let mut own: Vec<f64> = inner.map(|piece| self.all[piece + 1].start).collect();
         if self.repeats && self.jumps(last, 0) {
             own.push(self.last);
         }
@@ -180,7 +180,12 @@ fn bends(rows: &[[f64; 2]]) -> Vec<f64> {
     let slopes: Vec<f64> = rows.windows(2).map(slope).collect();
     // The row before an unknown and the one after it have these factors, the unknown itself twice their sum.
     let equation = |before: usize, after: usize| {
-        [steps[before], 2.0 * (steps[before] + steps[after]), steps[after], 6.0 * (slopes[after] - slopes[before])]
+        [
+            steps[before],
+            2.0 * (steps[before] + steps[after]),
+            steps[after],
+            6.0 * (slopes[after] - slopes[before]),
+        ]
     };
     if !repeats(rows) || count == 1 {
         let equations: Vec<_> = (1..count).map(|row| equation(row - 1, row)).collect();
@@ -202,7 +207,9 @@ fn cyclic(equations: &[[f64; 4]]) -> Vec<f64> {
     open[0][1] -= pivot;
     open[last][1] -= corner * opposite / pivot;
     let plain = tridiagonal(&open);
-    open.iter_mut().for_each(|equation| equation[3] = 0.0);
+    for equation in &mut open {
+        equation[3] = 0.0;
+    }
     (open[0][3], open[last][3]) = (pivot, opposite);
     let tie = tridiagonal(&open);
     let along = |of: &[f64]| of[0] + corner / pivot * of[last];

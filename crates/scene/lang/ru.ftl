@@ -199,6 +199,27 @@ scene-cycle-or-range = либо целый цикл, либо промежуто
 scene-no-range = `to` равно `from`, а `positions` = { $positions }
 scene-one-position-or-another-end = positions = 1 или другой конец
 scene-why-to = поступательный вход не имеет собственного цикла: задайте `to` или `cycle`
+scene-an-input = вход
+scene-law-over-time = закон по времени
+scene-needs-one-input = { $what }: нужен один вход, а со списком входов координата — время
+scene-law-prescribes = { $what }: не нужно рядом с `over_time`, который задает движение
+scene-not-over-coordinate = { $what }: нужен вход без `over_time`, ведь с ним координата — время
+scene-over-time-instead = задайте по времени: таблицей с `over = "time"` или формулой от `t`
+scene-formula-of = формула от { $variables }
+scene-add-motion-until = добавьте [motion] с `until` — временем, когда движение заканчивается
+scene-why-until = время, когда движение заканчивается
+scene-why-a-law = таблица строк [время, координата] или формула от времени `t`
+scene-not-from-zero = начинается с времени 0, а в первой строке { $got }
+scene-single-row = нужны хотя бы две строки
+scene-times-repeat = время в строках должно возрастать
+scene-law-without-jumps = координата не может прыгать: уберите строку или дайте ей более позднее время
+scene-until-beyond = `until` равно { $until }, а в последней строке { $last }
+scene-longer-or-closed = добавьте строки или закончите движение там; повторяется лишь таблица, которая заканчивается первым значением
+scene-law-of-others = формула закона по времени зависит от { $variables }
+scene-law-of-t = она может зависеть лишь от `t`, времени в секундах
+scene-law-without-value = закон имеет бесконечную или чрезмерную координату, скорость или ускорение при { $at }
+scene-law-within-limits = он должен действовать от 0 до `until`
+scene-driven-twice = два входа движут пару { $pair } тех же звеньев
 scene-the-motion = движение
 scene-other-motion = `{ $key }` относится к движению вида "{ $owner }", а это — "{ $kind }"
 scene-motion-knows = движение вида "{ $kind }" — известные ключи: { $keys }
@@ -257,11 +278,11 @@ scene-table-over-angle = таблица по углу
 scene-table-over-time-or-speed = таблица по времени или скорости
 scene-table-over-stroke = таблица по ходу
 scene-stroke-of-a-force = ход есть только у точки приложения силы
-scene-other-arguments = over = "angle", "time" или "speed"
+scene-other-arguments = over = "angle" (или "coordinate"), "time" или "speed"
 scene-scale-out-of-range = из-за `scale` величина нагрузки { $size } вне пределов
 scene-right-unit-and-factor = в результатах не осталось бы верных цифр: верны ли единица и множитель?
 scene-table-of-a-load = таблица нагрузки
-scene-all-arguments = over = "angle", "time", "speed" или "stroke"
+scene-all-arguments = over = "angle" (или "coordinate"), "time", "speed" или "stroke"
 scene-a-unit = единица
 scene-formula-of-motion = формула с `w` или `t`
 scene-axis-without-x = `axis` лишний: в формуле нет `x`
@@ -343,7 +364,7 @@ scene-key-gravity = Ускорение свободного падения: од
 scene-key-ground = Стойка, звено 0, с неподвижными точками.
 scene-key-link = Подвижные звенья; имя точки, употреблённое в двух звеньях, — это шарнир между ними.
 scene-key-slide = Поступательные пары: одно звено скользит по другому вдоль прямой.
-scene-key-input = Входное звено, его координата и положения, которые вычисляются.
+scene-key-input = Входное звено, его координата и положения, которые вычисляются; или список входов [[input]], каждый по времени.
 scene-key-assembly = Примерно где находятся точки в первом положении: по ним выбирается вариант сборки групп.
 scene-key-force = Сила в точке звена.
 scene-key-moment = Момент на звено, положительный против часовой стрелки.
@@ -379,6 +400,12 @@ scene-key-input-cycle = Ход входного звена, после кото�
 scene-key-input-direction = Направление изменения координаты: "ccw" растет, "cw" убывает.
 scene-key-input-to = Координата последнего положения вместо цикла; входному ползуну нужна она или цикл.
 scene-key-input-name = Как координата называется на осях и в таблицах; без него "координата" и входное звено.
+scene-key-input-over-time = Координата по времени, вместо `from` и того, что ее движет: в [motion] тогда лишь `until` и `samples`.
+scene-key-inputs-from = Координата при времени 0: угол оси x звена или перемещение его ползуна.
+scene-key-input-rate = На сколько координата растет за секунду, со знаком; без [motion] не используется.
+scene-key-time-table = Строки [время, координата], первая при времени 0, время возрастает; таблица, которая заканчивается первым значением, повторяется.
+scene-key-time-shape = Строки соединены отрезками, между которыми скорость прыгает, или кубическим сплайном: естественным, а где первое значение равно последнему — периодическим.
+scene-key-time-formula = Формула лишь от t (время, с), в рад или м; скорость и ускорение — ее производные.
 scene-key-assembly-point = Точка механизма и примерно где она находится в первом положении.
 scene-key-load-name = Его имя в результатах и в ключах.
 scene-key-load-link = Звено, на которое оно действует.
@@ -426,7 +453,7 @@ scene-key-balance-angle = Направление уравновешивающе�
 scene-key-motion-kind = Заданное: скорость и ускорение даны; неустановившееся: следует из нагрузок и привода; установившееся: периодический режим.
 scene-key-motion-speed = Скорость входного звена вдоль его направления в первом положении; заданному движению она нужна, неустановившееся без нее начинается из покоя.
 scene-key-motion-acceleration = Ускорение входного звена вдоль его направления.
-scene-key-motion-until = Конец: время, ход входного звена, "rest" (окончательная остановка) или "turn" (первый реверс).
+scene-key-motion-until = Конец: время, ход входного звена, "rest" (окончательная остановка) или "turn" (первый реверс); движения по времени — время.
 scene-key-motion-samples = Сколько равноотстоящих моментов после первого приводится.
 scene-key-motion-integrator = Зарегистрированный метод (`assur plugins`); "auto" выбирает его.
 scene-key-motion-tolerance = Относительный допуск интегрирования.

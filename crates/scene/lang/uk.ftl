@@ -200,6 +200,27 @@ scene-cycle-or-range = або цілий цикл, або проміжок
 scene-no-range = `to` дорівнює `from`, а `positions` = { $positions }
 scene-one-position-or-another-end = positions = 1 або інший кінець
 scene-why-to = поступальний вхід не має власного циклу: задайте `to` або `cycle`
+scene-an-input = вхід
+scene-law-over-time = закон за часом
+scene-needs-one-input = { $what }: потрібен один вхід, а зі списком входів координатою є час
+scene-law-prescribes = { $what }: не потрібно поряд з `over_time`, який задає рух
+scene-not-over-coordinate = { $what }: потрібен вхід без `over_time`, бо з ним координатою є час
+scene-over-time-instead = задайте за часом: таблицею з `over = "time"` або формулою від `t`
+scene-formula-of = формула від { $variables }
+scene-add-motion-until = додайте [motion] з `until` — часом, коли рух закінчується
+scene-why-until = час, коли рух закінчується
+scene-why-a-law = таблиця рядків [час, координата] або формула від часу `t`
+scene-not-from-zero = починається з часу 0, а перший рядок має { $got }
+scene-single-row = потрібні щонайменше два рядки
+scene-times-repeat = час у рядках має зростати
+scene-law-without-jumps = координата не може стрибати: приберіть рядок або дайте йому пізніший час
+scene-until-beyond = `until` дорівнює { $until }, а останній рядок має { $last }
+scene-longer-or-closed = додайте рядки або закінчіть рух там; повторюється лише таблиця, що закінчується першим значенням
+scene-law-of-others = формула закону за часом залежить від { $variables }
+scene-law-of-t = вона може залежати лише від `t`, часу в секундах
+scene-law-without-value = закон має нескінченну або надмірну координату, швидкість чи прискорення при { $at }
+scene-law-within-limits = він має діяти від 0 до `until`
+scene-driven-twice = два входи рухають пару { $pair } тих самих ланок
 scene-the-motion = рух
 scene-other-motion = `{ $key }` належить до руху виду "{ $owner }", а цей — "{ $kind }"
 scene-motion-knows = рух виду "{ $kind }" — відомі ключі: { $keys }
@@ -258,11 +279,11 @@ scene-table-over-angle = таблиця за кутом
 scene-table-over-time-or-speed = таблиця за часом або швидкістю
 scene-table-over-stroke = таблиця за ходом
 scene-stroke-of-a-force = хід має лише точка прикладання сили
-scene-other-arguments = over = "angle", "time" або "speed"
+scene-other-arguments = over = "angle" (або "coordinate"), "time" або "speed"
 scene-scale-out-of-range = через `scale` величина навантаження { $size } поза межами
 scene-right-unit-and-factor = у результатах не лишилося б вірних цифр: чи правильні одиниця та множник?
 scene-table-of-a-load = таблиця навантаження
-scene-all-arguments = over = "angle", "time", "speed" або "stroke"
+scene-all-arguments = over = "angle" (або "coordinate"), "time", "speed" або "stroke"
 scene-a-unit = одиниця
 scene-formula-of-motion = формула з `w` чи `t`
 scene-axis-without-x = `axis` зайвий: у формулі немає `x`
@@ -344,7 +365,7 @@ scene-key-gravity = Прискорення вільного падіння: од
 scene-key-ground = Стояк, ланка 0, з нерухомими точками.
 scene-key-link = Рухомі ланки; назва точки, вжита у двох ланках, є шарніром між ними.
 scene-key-slide = Поступальні пари: одна ланка ковзає по іншій уздовж прямої.
-scene-key-input = Вхідна ланка, її координата й положення, що обчислюються.
+scene-key-input = Вхідна ланка, її координата й положення, що обчислюються; або список входів [[input]], кожен за часом.
 scene-key-assembly = Приблизно де є точки в першому положенні: за ним вибирається варіант складання груп.
 scene-key-force = Сила в точці ланки.
 scene-key-moment = Момент на ланку, додатний проти годинникової стрілки.
@@ -380,6 +401,12 @@ scene-key-input-cycle = Хід вхідної ланки, після якого 
 scene-key-input-direction = Напрям зміни координати: "ccw" зростає, "cw" спадає.
 scene-key-input-to = Координата останнього положення замість циклу; вхідному повзуну потрібна вона або цикл.
 scene-key-input-name = Як координата зветься на осях і в таблицях; без неї "координата" і вхідна ланка.
+scene-key-input-over-time = Координата за часом, замість `from` і того, що її рухає: [motion] тоді має лише `until` і `samples`.
+scene-key-inputs-from = Координата при часі 0: кут осі x ланки або переміщення її повзуна.
+scene-key-input-rate = На скільки координата зростає за секунду, зі знаком; без [motion] не використовується.
+scene-key-time-table = Рядки [час, координата], перший при часі 0, час зростає; таблиця, що закінчується першим значенням, повторюється.
+scene-key-time-shape = Рядки з'єднано відрізками, між якими швидкість стрибає, або кубічним сплайном: природним, а де перше значення дорівнює останньому — періодичним.
+scene-key-time-formula = Формула лише від t (час, с), у рад або м; швидкість і прискорення — її похідні.
 scene-key-assembly-point = Точка механізму й приблизно де вона є в першому положенні.
 scene-key-load-name = Його назва в результатах і в ключах.
 scene-key-load-link = Ланка, на яку воно діє.
@@ -427,7 +454,7 @@ scene-key-balance-angle = Напрям зрівноважувальної сил
 scene-key-motion-kind = Заданий: швидкість і прискорення дано; неусталений: випливає з навантажень і приводу; усталений: періодичний режим.
 scene-key-motion-speed = Швидкість вхідної ланки вздовж її напряму в першому положенні; заданому руху вона потрібна, неусталений без неї починається зі спокою.
 scene-key-motion-acceleration = Прискорення вхідної ланки вздовж її напряму.
-scene-key-motion-until = Кінець: час, хід вхідної ланки, "rest" (остаточна зупинка) чи "turn" (перший реверс).
+scene-key-motion-until = Кінець: час, хід вхідної ланки, "rest" (остаточна зупинка) чи "turn" (перший реверс); руху за часом — час.
 scene-key-motion-samples = Скільки рівновіддалених моментів після першого наводиться.
 scene-key-motion-integrator = Зареєстрований метод (`assur plugins`); "auto" вибирає його.
 scene-key-motion-tolerance = Відносний допуск інтегрування.

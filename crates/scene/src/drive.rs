@@ -3,8 +3,7 @@
 use std::ops::Bound as End;
 
 use assur_mechanism::{
-    CharacteristicKind, Drive, FlywheelPlace, Mechanism, Motion, MotorChoice, RatedMotor, Solve,
-    Torque,
+    CharacteristicKind, Drive, FlywheelPlace, Mechanism, Motion, MotorChoice, RatedMotor, Solve, Torque,
 };
 
 use assur_words::{Text, name, text};

@@ -3,8 +3,8 @@
 use assur_mechanism::{Friction, GROUND, Middle, Motion, PairId, Surfaces};
 use assur_words::text;
 
-use crate::text::{row, shown, such_as};
 use crate::over_time::Timing;
+use crate::text::{row, shown, such_as};
 use crate::walk::{Entry, Section, quoted};
 use crate::{context::Context, linkage::SceneLinks, reference, wishes};
 

@@ -4,7 +4,7 @@ use assur_formula::Used;
 use assur_mechanism::{GROUND, Inertia, Input, Key, LinkId, Mechanism, Motion, Until, VaryingInertia};
 use assur_words::{Text, name, text};
 
-use crate::text::{brief, shown};
+use crate::text::{brief, shown, such_as};
 use crate::value::{formula_with_unit, within_text};
 use crate::walk::{Section, quoted};
 use crate::{context::Context, edit::within, linkage::SceneLinks, units::Dimension};
@@ -49,7 +49,8 @@ pub(crate) fn refuse_over_coordinate(root: &Section<'_>, context: &Context<'_>) 
     for link in context.linkage.links.iter().filter(|link| link.inertia.varying().is_some()) {
         let key = Key::of("link").at(&link.name).at("inertia");
         if let Ok(inertia) = within(root.table(), key.steps()) {
-            context.timing.refuse_coordinate(root.faults, &inertia.span(), quoted("inertia = { formula }"));
+            let (at, key) = (inertia.span(), quoted("inertia = { formula }"));
+            context.timing.refuse_coordinate((root.faults, &at), key, such_as("\"0.04 kg*m^2\""));
         }
     }
 }

@@ -7,9 +7,9 @@ use assur_mechanism::{Driver, GROUND, Input, InputPair, LinkId, Name, PairId, Ra
 
 use assur_words::{Text, name, number, quantity, text};
 
-use crate::text::{exclude, rounded, row, shown};
 use crate::over_time::{Instants, Timing, instants, law};
 use crate::reading::element_names;
+use crate::text::{exclude, rounded, row, shown};
 use crate::walk::{Entry, Section};
 use crate::{context::coordinate_of, linkage::SceneLinks, reference, units::Dimension};
 
@@ -36,9 +36,10 @@ pub(crate) fn read(root: &Section<'_>, linkage: &SceneLinks, timing: Timing) -> 
     if timing == Timing::Law {
         refuse_beside_law(&section, &["from", "positions", "to", "cycle"]);
         let instants = instants(root, timing);
-        let law = section.get("over_time").zip(driven.as_ref()).and_then(|(entry, driver)| {
-            law(&entry, coordinate_of(driver.pair), instants)
-        });
+        let law = section
+            .get("over_time")
+            .zip(driven.as_ref())
+            .and_then(|(entry, driver)| law(&entry, coordinate_of(driver.pair), instants));
         let driver = Driver { law: Some(law?), ..driven? };
         return Some(Input { name, ..over_time(vec![driver], instants?) });
     }
@@ -87,9 +88,12 @@ fn list(root: &Section<'_>, entry: &Entry<'_>, linkage: &SceneLinks) -> Option<I
 
 /// What results call each input of a list: as keys do, and with its number where two have one name.
 fn labels(entry: &Entry<'_>) -> Vec<Name> {
-    let names = entry.value.as_array().map(|array| element_names(&[Step::from("input")], array)).unwrap_or_default();
+    let names =
+        entry.value.as_array().map(|array| element_names(&[Step::from("input")], array)).unwrap_or_default();
     let label = |(index, name): (usize, &Option<String>)| match name {
-        Some(name) if names.iter().filter(|other| other.as_ref() == Some(name)).count() == 1 => name.as_str().into(),
+        Some(name) if names.iter().filter(|other| other.as_ref() == Some(name)).count() == 1 => {
+            name.as_str().into()
+        }
         name => format!("{}:{}", name.as_deref().unwrap_or_default(), index + 1).into(),
     };
     names.iter().enumerate().map(label).collect()
@@ -158,7 +162,11 @@ fn driven(section: &Section<'_>, linkage: &SceneLinks) -> Option<Driver> {
 }
 
 /// A driven pin: it turns `of` against `on`.
-fn driven_pin(section: &Section<'_>, linkage: &SceneLinks, entry: &Entry<'_>) -> Option<(LinkId, LinkId, InputPair)> {
+fn driven_pin(
+    section: &Section<'_>,
+    linkage: &SceneLinks,
+    entry: &Entry<'_>,
+) -> Option<(LinkId, LinkId, InputPair)> {
     let point = linkage.point(entry)?;
     let joined: Vec<LinkId> = linkage.points[point].places.iter().map(|place| place.link).collect();
     let of = section.need("of")?;

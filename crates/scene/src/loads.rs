@@ -40,9 +40,9 @@ pub(crate) fn read(root: &Section<'_>, context: &Context<'_>) -> Vec<Load> {
 /// Notes contacts, if the coordinate is the time: there is contact in an interval of that of the input. Says whether it is.
 fn refuse_contacts(root: &Section<'_>, context: &Context<'_>) -> bool {
     for section in root.inners("contact").iter().filter(|_| context.timing.is_time()) {
-        context.timing.refuse_coordinate(root.faults, &section.span, quoted("[[contact]]"));
-        if let Some(during) = section.get("during") {
-            context.timing.refuse_coordinate(root.faults, &during.key, quoted("during"));
+        let during = section.get("during").map(|entry| (entry.key, "during"));
+        for (span, key) in [(section.span.clone(), "[[contact]]")].into_iter().chain(during) {
+            context.timing.refuse_coordinate((root.faults, &span), quoted(key), text!("scene-leave-it-out"));
         }
     }
     context.timing.is_time()

@@ -15,13 +15,14 @@ use crate::units::{Dimension, quantity, within};
 use crate::walk::{Entry, Section, quoted};
 use crate::{context::Context, error::Fault};
 
-/// What a table is over, as the scene names it; `None`: the stroke of a point.
+/// The sort of a table, and what it is over; `None`: the stroke of a point.
 type Argument = (&'static str, Option<Over>);
-const ARGUMENTS: [Argument; 4] = [
-    ("angle", Some(Over::Coordinate)),
-    ("time", Some(Over::Time)),
-    ("speed", Some(Over::Speed)),
-    ("stroke", None),
+const ARGUMENTS: [(&str, Argument); 5] = [
+    ("angle", ("angle", Some(Over::Coordinate))),
+    ("coordinate", ("angle", Some(Over::Coordinate))),
+    ("time", ("time", Some(Over::Time))),
+    ("speed", ("speed", Some(Over::Speed))),
+    ("stroke", ("stroke", None)),
 ];
 const SHAPES: &[(&str, Shape)] = &[("linear", Shape::Linear), ("step", Shape::Step)];
 
@@ -53,8 +54,8 @@ pub(crate) fn read(
     let section = of_sort(entry, what, sort)?;
     if over != Some(Over::Time) {
         let key = section.get("over")?;
-        let of = quoted(&format!("over = \"{sort}\""));
-        if context.timing.refuse_coordinate(key.faults, &key.span, of) {
+        let of = quoted(&format!("over = \"{}\"", key.value.as_str().unwrap_or(sort)));
+        if context.timing.refuse_coordinate((key.faults, &key.span), of, text!("scene-over-time-instead")) {
             return None;
         }
     }
@@ -122,7 +123,7 @@ fn argument(entry: &Entry<'_>) -> Option<Argument> {
     let mut over =
         entry.named(text!("scene-a-table"), Text::default()).into_iter().filter(|key| key.name == "over");
     if let Some(over) = over.next() {
-        return over.choice(&ARGUMENTS.map(|argument| (argument.0, argument)));
+        return over.choice(&ARGUMENTS);
     }
     let section = entry.section(table(LAW))?;
     section.missing("over", text!("scene-all-arguments"));
@@ -138,7 +139,8 @@ fn formula(
     let (entry, formula, factor) = formula_with_unit(section, dimension)?;
     let others = others(formula.used());
     let what = text!("scene-formula-of", variables = name(others.clone()));
-    if !others.is_empty() && context.timing.refuse_coordinate(entry.faults, &entry.span, what) {
+    let at = (entry.faults, &entry.span);
+    if !others.is_empty() && context.timing.refuse_coordinate(at, what, text!("scene-over-time-instead")) {
         return None;
     }
     // In a scene the speed is counted along the direction of the input, in a mechanism along the coordinate.

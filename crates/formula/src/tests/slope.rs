@@ -36,7 +36,10 @@ fn derivatives_over_time_are_those_of_the_known_ones() {
             let [wanted, second] = derivative.with_slope(t);
             let [value, speed, acceleration] = formula.over_time(t);
             let near = |found: f64, wanted: f64| (found - wanted).abs() <= 1e-12 * (1.0 + wanted.abs());
-            assert!(near(speed, wanted) && near(acceleration, second), "{text} at {t}: {acceleration} {second}");
+            assert!(
+                near(speed, wanted) && near(acceleration, second),
+                "{text} at {t}: {acceleration} {second}"
+            );
             assert_eq!(value.to_bits(), read(text).with_slope(t)[0].to_bits(), "{text}");
         }
     }
@@ -51,7 +54,10 @@ fn derivatives_over_time_are_slopes() {
             let [before, here, after] = [t - step, t, t + step].map(|t| formula.over_time(t));
             for of in [0, 1] {
                 let wanted = (after[of] - before[of]) / (2.0 * step);
-                assert!((here[of + 1] - wanted).abs() < 1e-6 * (1.0 + wanted.abs()), "{text} at {t}: {here:?}");
+                assert!(
+                    (here[of + 1] - wanted).abs() < 1e-6 * (1.0 + wanted.abs()),
+                    "{text} at {t}: {here:?}"
+                );
             }
         }
     }

@@ -16,7 +16,7 @@ fn close(found: [f64; 3], wanted: [f64; 3], limit: f64) {
 fn a_natural_spline_through_three_rows_is_the_one_solved_by_hand() {
     let law = TimeLaw::smooth(&[[0.0, 0.0], [1.0, 1.0], [2.0, 0.5]], 2.0);
     assert!((law.at(1.0)[2] - 6.0 * -1.5 / 4.0).abs() < 1e-15);
-    let law = TimeLaw::smooth(&[[0.0, 0.1], [1.0, 1.1], [2.0, 0.1000001]], 2.0);
+    let law = TimeLaw::smooth(&[[0.0, 0.1], [1.0, 1.1], [2.0, 0.100_000_1]], 2.0);
     close(law.at(0.0), [0.1, 1.5, 0.0], 1e-6);
     close(law.at(1.0), [1.1, 0.0, -3.0], 1e-6);
     close(law.at(2.0), [0.1, -1.5, 0.0], 1e-6);
@@ -64,7 +64,8 @@ fn a_spline_goes_through_its_rows_without_a_jump_to_the_second_derivative() {
 fn a_periodic_spline_approaches_a_sine_with_order_four() {
     let error = |count: u32| {
         let step = TAU / f64::from(count);
-        let mut rows: Vec<_> = (0..count).map(|row| f64::from(row) * step).map(|time| [time, time.sin()]).collect();
+        let mut rows: Vec<_> =
+            (0..count).map(|row| f64::from(row) * step).map(|time| [time, time.sin()]).collect();
         rows.push([TAU, 0.0]);
         let law = TimeLaw::smooth(&rows, TAU);
         let off = |time: f64| (law.at(time)[0] - time.sin()).abs();
@@ -102,9 +103,15 @@ fn speed_and_acceleration_are_the_slopes_of_the_coordinate() {
 fn lines_have_the_side_after_a_row_and_tell_where_their_speed_jumps() {
     let rows = [[0.0, 0.4], [1.0, 0.6], [1.5, 0.7], [2.0, 0.55], [4.0, 0.7]];
     let law = TimeLaw::linear(&rows, 4.0);
-    for (time, speed) in
-        [(0.0, 0.2), (1.0, 0.2), (1.5, -0.3), (2.0, 0.075), (2.0 - 3e-9, 0.075), (2.0 - 5e-9, -0.3), (4.0, 0.075)]
-    {
+    for (time, speed) in [
+        (0.0, 0.2),
+        (1.0, 0.2),
+        (1.5, -0.3),
+        (2.0, 0.075),
+        (2.0 - 3e-9, 0.075),
+        (2.0 - 5e-9, -0.3),
+        (4.0, 0.075),
+    ] {
         let at = law.at(time);
         assert!((at[1] - speed).abs() < 1e-12 && at[2] == 0.0, "{time}: {at:?}");
     }
@@ -117,7 +124,8 @@ fn lines_have_the_side_after_a_row_and_tell_where_their_speed_jumps() {
 fn a_closed_table_of_lines_repeats_and_jumps_at_its_seam() {
     let rows = [[0.0, 0.0], [1.0, 2.0], [3.0, 0.0]];
     let law = TimeLaw::linear(&rows, 6.0);
-    for (time, wanted) in [(3.0, [0.0, 2.0, 0.0]), (3.5, [1.0, 2.0, 0.0]), (5.0, [1.0, -1.0, 0.0]), (6.0, [0.0, -1.0, 0.0])]
+    for (time, wanted) in
+        [(3.0, [0.0, 2.0, 0.0]), (3.5, [1.0, 2.0, 0.0]), (5.0, [1.0, -1.0, 0.0]), (6.0, [0.0, -1.0, 0.0])]
     {
         close(law.at(time), wanted, 1e-14);
     }

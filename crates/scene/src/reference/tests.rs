@@ -40,6 +40,8 @@ fn keys<'s>(scene: &'s str, table: &'static KeyTable, toml: &DeTable<'_>, found:
             .kinds
             .iter()
             .filter_map(|kind| if let ValueKind::Table(header) = kind { Some(header) } else { None })
+            // Of one table and a list of them only one is written.
+            .filter(|header| key.name != "input" || header.starts_with("[[") == value.get_ref().is_array())
         {
             let inner =
                 TABLES.iter().find(|table| table.header == *header).unwrap_or_else(|| panic!("{header}"));

@@ -3,20 +3,28 @@
 mod display;
 mod faults;
 mod limits;
+mod over_time;
 mod robust;
 mod values;
 
 /// A scene with one of each, that the tests change.
 pub(crate) const BASE: &str = include_str!("base.toml");
 
+/// Scenes with several inputs, and with a law of one over time.
+pub(crate) const FIVE_BAR: &str = include_str!("five-bar.toml");
+pub(crate) const ARM: &str = include_str!("arm.toml");
+pub(crate) const BOOM: &str = include_str!("boom.toml");
+
 /// The base scene with a motion that a drive can give.
 fn steady() -> String {
     BASE.replace("speed = \"900 rpm\"", "kind = \"steady\"\nmean_speed = \"900 rpm\"\nunevenness = 0.05")
 }
 
+/// The shipped scenes, and those over time.
 pub(crate) fn fixtures() -> Vec<(String, String)> {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../fixtures");
-    let mut all = Vec::new();
+    let over_time = [("five-bar", FIVE_BAR), ("arm", ARM), ("boom-law", BOOM)];
+    let mut all: Vec<_> = over_time.map(|(name, text)| (name.to_owned(), text.to_owned())).into();
     for entry in std::fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();
         if path.extension().is_some_and(|extension| extension == "toml") {

@@ -69,7 +69,10 @@ fn first_law(scene: &Mechanism) -> Value {
 #[test]
 fn input_motion_and_force_of_the_shaper() {
     let scene = fixture("shaper.toml");
-    assert_eq!((scene.input.link, scene.input.pair, scene.input.positions), (1, InputPair::Pin(0), 48));
+    assert_eq!(
+        (scene.input.first().link, scene.input.first().pair, scene.input.positions),
+        (1, InputPair::Pin(0), 48)
+    );
     assert_eq!((scene.input.range, scene.input.direction), (Range::Cycle(TAU), Sense::Ccw));
     assert_eq!(scene.motion, Some(Motion::Prescribed { speed: TAU, acceleration: 0.0 }));
     let force = scene.loads[0].kind.force().unwrap();
@@ -245,7 +248,7 @@ fn a_sliding_input_is_measured_in_meters() {
         .replace("link = \"crank\"\npositions = 24", "link = \"piston\"\nfrom = \"300 mm\"\nto = \"200 mm\"");
     let text = text.replace("\"900 rpm\"", "\"0.2 m/s\"").replace("\"180 deg\"", "\"80 mm\"");
     let scene = good(&text.replace("[\"-30 deg\", \"30 deg\"]", "[\"200 mm\", 0.25]"));
-    assert_eq!(scene.input.pair, InputPair::Slide(0));
+    assert_eq!(scene.input.first().pair, InputPair::Slide(0));
     assert_eq!((scene.input.from, scene.input.range), (0.3, Range::To(0.2)));
     assert_eq!(scene.motion, Some(Motion::Prescribed { speed: 0.2, acceleration: 0.0 }));
     let contact = scene.loads.iter().find_map(|load| load.kind.contact()).unwrap();
