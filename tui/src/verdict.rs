@@ -3,10 +3,10 @@
 
 use std::collections::BTreeSet;
 
-use assur_mechanism::CoordinateKind;
 use assur_analysis::results::{Analysis, Check, Failure};
 use assur_analysis::{Calculation, StructureStudy, lost_positions};
 use assur_kinematics::{Linkage, Misfit};
+use assur_mechanism::CoordinateKind;
 use assur_report::json::analysis::finite;
 use assur_report::topic;
 use assur_words::{Describe, Text, list, name, number, text};

@@ -4,7 +4,9 @@ use std::f64::consts::TAU;
 
 use assur_group::Order;
 use assur_kinematics::{Linkage, Position, decompose};
-use assur_mechanism::{CoordinateKind, GROUND, InputPair, LinkId, Mechanism, Name, Named, PairId, Point, Range};
+use assur_mechanism::{
+    CoordinateKind, GROUND, InputPair, LinkId, Mechanism, Name, Named, PairId, Point, Range,
+};
 use assur_number::elementary;
 use assur_structure::StructureError;
 use assur_words::{Describe, Text};

@@ -192,9 +192,8 @@ impl Drawing<'_> {
     fn driven(&self, bodies: &[Body<f64>]) -> Vec<Item> {
         let mechanism = &self.linkage.mechanism;
         let input = &mechanism.input;
-        let is_shown = |driver: &Driver| {
-            driver.is_relative() && self.shows(driver.link) && self.shows(driver.on)
-        };
+        let is_shown =
+            |driver: &Driver| driver.is_relative() && self.shows(driver.link) && self.shows(driver.on);
         let mark = |(index, driver): (usize, &Driver)| {
             let own = match driver.pair {
                 InputPair::Pin(pin) => mechanism.place_in(pin, driver.link).unwrap_or_default(),

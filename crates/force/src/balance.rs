@@ -26,7 +26,11 @@ enum UnitLoad {
 }
 
 /// The direction of the force of a drive on the link that it drives, in the ground's frame; `None` where it is a moment.
-pub fn drive_direction<T: Real>(mechanism: &Mechanism, driver: &Driver, bodies: &[Body<T>]) -> Option<[T; 2]> {
+pub fn drive_direction<T: Real>(
+    mechanism: &Mechanism,
+    driver: &Driver,
+    bodies: &[Body<T>],
+) -> Option<[T; 2]> {
     let InputPair::Slide(slide) = driver.pair else { return None };
     let slide = &mechanism.slides[slide];
     let along = bodies[slide.on].turned(plane::direction(slide.angle));

@@ -6,8 +6,8 @@ use assur_formula::Formula;
 use assur_group::Body;
 use assur_kinematics::{AssemblyRange, Linkage};
 use assur_mechanism::{
-    Contact, Direction, Driver, Force, GROUND, InputPair, LawTable, LinkId, Load, LoadId, LoadKind, Mechanism, Over,
-    Place, Value,
+    Contact, Direction, Driver, Force, GROUND, InputPair, LawTable, LinkId, Load, LoadId, LoadKind,
+    Mechanism, Over, Place, Value,
 };
 use assur_number::elementary;
 use assur_words::{Text, text};

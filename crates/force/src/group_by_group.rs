@@ -2,9 +2,9 @@
 
 use assur_group::{AssurGroup, Body, GroupError, Number, Pair, PairGeometry, Wrench, plane};
 use assur_kinematics::Linkage;
-use assur_mechanism::Driver;
-use assur_structure::NamedPair;
+use assur_mechanism::{Driver, Mechanism};
 use assur_number::Real;
+use assur_structure::NamedPair;
 
 use crate::{ForceError, Reactions, UnitBalance, balance::IdleBalance, drive_direction};
 
@@ -173,22 +173,45 @@ pub fn drives<T: Real>(
     reactions: &[Wrench<T>],
     out: &mut Vec<T>,
 ) {
+    let (mechanism, pairs) = (&linkage.mechanism, &linkage.structure.pairs);
+    let drivers = &mechanism.input.drivers;
     out.clear();
-    for (id, driver) in linkage.mechanism.input.drivers.iter().enumerate() {
-        let (link, mut sum) = (driver.link, loads[driver.link]);
-        for NamedPair { pair, .. } in linkage.structure.pairs.iter().filter(|one| one.pair.joins(link)) {
-            let point = place_of(pair, bodies);
-            let reaction = &reactions[pair.id];
+    out.resize(drivers.len(), T::ZERO);
+    // A drive may act on a link that is driven itself: as many passes reach all.
+    for id in (0..drivers.len()).flat_map(|_| 0..drivers.len()) {
+        let (link, mut sum) = (drivers[id].link, loads[drivers[id].link]);
+        let mut add = |pair: &Pair, wrench: &Wrench<T>| {
             let sign = if pair.a == link { T::ONE } else { -T::ONE };
-            let arm = plane::minus(point, bodies[link].origin());
-            sum.add_at(arm, plane::scaled(sign, reaction.force()), sign * reaction.m);
+            let arm = plane::minus(place_of(pair, bodies), bodies[link].origin());
+            sum.add_at(arm, plane::scaled(sign, wrench.force()), sign * wrench.m);
+        };
+        for NamedPair { pair, .. } in pairs.iter().filter(|one| one.pair.joins(link)) {
+            add(pair, &reactions[pair.id]);
         }
-        let pair = &linkage.structure.pairs[id].pair;
-        let own = plane::minus(place_of(pair, bodies), bodies[link].origin());
-        out.push(match drive_direction(&linkage.mechanism, driver, bodies) {
+        let others = drivers.iter().zip(pairs).enumerate().filter(|(other, _)| *other != id);
+        for (other, (driver, NamedPair { pair, .. })) in others.filter(|(_, (_, one))| one.pair.joins(link)) {
+            add(pair, &on_first(mechanism, driver, pair, bodies, out[other]));
+        }
+        let own = plane::minus(place_of(&pairs[id].pair, bodies), bodies[link].origin());
+        out[id] = match drive_direction(mechanism, &drivers[id], bodies) {
             Some(along) => -plane::dot(sum.force(), along),
             None => -sum.about(own),
-        });
+        };
+    }
+}
+
+/// What a drive of this load exerts on the first body of its pair.
+fn on_first<T: Real>(
+    mechanism: &Mechanism,
+    driver: &Driver,
+    pair: &Pair,
+    bodies: &[Body<T>],
+    load: T,
+) -> Wrench<T> {
+    let load = if pair.a == driver.link { load } else { -load };
+    match drive_direction(mechanism, driver, bodies) {
+        Some([x, y]) => Wrench { fx: load * x, fy: load * y, m: T::ZERO },
+        None => Wrench { m: load, ..Wrench::ZERO },
     }
 }
 

@@ -72,8 +72,7 @@ impl<'a> Kinetostatics<'a> {
             return Err(ForceError::ChangePoint(position.coordinate));
         }
         self.load(state, position);
-        let found =
-            solve_by(self.analyzer, self.linkage, position, &mut self.wrenches, &mut self.reactions);
+        let found = solve_by(self.analyzer, self.linkage, position, &mut self.wrenches, &mut self.reactions);
         if found.is_ok() && self.reactions.balancing.is_finite() {
             return found;
         }

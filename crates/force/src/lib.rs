@@ -53,7 +53,7 @@ pub use friction::{
 };
 pub use group_by_group::{Unsolved, drive, drive_of_pair, drives, group_by_group, rate};
 pub use joints::{Joint, JointReaction, joints};
-pub use kinetostatics::{solve_by, Kinetostatics, LaneKinetostatics};
+pub use kinetostatics::{Kinetostatics, LaneKinetostatics, solve_by};
 pub use loads::{Cause, Loads};
 pub use reduce::power;
 pub use state::{LoadNumber, LoadState, Side, beside};

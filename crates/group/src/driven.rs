@@ -74,8 +74,9 @@ impl GroupFrame {
         let mut left = self.driven.clone();
         let mut found: Vec<(Driven, [usize; 2])> = Vec::with_capacity(left.len());
         while !left.is_empty() {
-            let is_fixed =
-                |body: usize| self.column(body).is_none() || found.iter().any(|(_, ends)| ends.contains(&body));
+            let is_fixed = |body: usize| {
+                self.column(body).is_none() || found.iter().any(|(_, ends)| ends.contains(&body))
+            };
             let hung = left.iter().position(|one| is_fixed(one.pair.a) || is_fixed(one.pair.b));
             // Links that hold each other alone: the one that is not driven against another carries the others.
             let is_driven = |body: usize| left.iter().any(|one| one.pair.a == body);

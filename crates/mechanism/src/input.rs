@@ -108,22 +108,9 @@ impl Default for Input {
     /// One turn of nothing, in one position.
     fn default() -> Self {
         let (range, direction) = (Range::Cycle(std::f64::consts::TAU), Sense::Ccw);
-        let driver = Driver {
-            link: GROUND,
-            on: GROUND,
-            pair: InputPair::Pin(0),
-            label: Name::ground(),
-            law: None,
-        };
-        Self {
-            drivers: vec![driver],
-            is_list: false,
-            name: None,
-            from: 0.0,
-            positions: 1,
-            range,
-            direction,
-        }
+        let driver =
+            Driver { link: GROUND, on: GROUND, pair: InputPair::Pin(0), label: Name::ground(), law: None };
+        Self { drivers: vec![driver], is_list: false, name: None, from: 0.0, positions: 1, range, direction }
     }
 }
 

@@ -19,13 +19,13 @@ mod size;
 mod time_law;
 mod warning;
 
+pub use assur_words::CoordinateKind;
 pub use drive::{
     CharacteristicKind, Drive, FlywheelPlace, Motion, MotorChoice, RatedMotor, Solve, StepLength, Torque,
     Until, passage,
 };
 pub use friction::{Friction, Middle, Surfaces};
 pub use inertia::{Inertia, VaryingInertia};
-pub use assur_words::CoordinateKind;
 pub use input::{Driver, Input, InputPair, Range, Sense};
 pub use key::{Key, Step};
 pub use law::{LawTable, Over, Shape, Value};

@@ -8,8 +8,8 @@ use assur_figure::number::digits;
 use assur_figure::{
     Axis, AxisKind, Bounds, Cursor, Frame, Ink, Item, Key, Panel, Point, Sample, Scale, Sign, Stroke,
 };
-use assur_mechanism::CoordinateKind;
 use assur_kinematics::Linkage;
+use assur_mechanism::CoordinateKind;
 use assur_words::{Text, joined, list, name, number, text, unit};
 
 use crate::{Base, Found, Series, coordinate_at, coordinate_unit};

@@ -9,8 +9,8 @@ use assur_figure::number::{digits, plain};
 use assur_figure::{
     Axis, AxisKind, Bounds, Figure, Frame, Ink, Item, Key, Panel, Point, Sample, Sign, Stroke,
 };
-use assur_mechanism::CoordinateKind;
 use assur_kinematics::Linkage;
+use assur_mechanism::CoordinateKind;
 use assur_words::{Text, joined, list, name, number, quantity, text, unit};
 
 use crate::{Found, Look, Results, ViewPart, coordinate_at, coordinate_unit, places, plots, reduction};

@@ -158,7 +158,8 @@ fn driven(
         ends.iter().any(|link| links.contains(link))
             && ends.iter().all(|link| links.contains(link) || is_solved(*link))
     };
-    let drivers = mechanism.input.drivers.iter().enumerate().filter(|(_, driver)| driver.is_relative() && has(driver));
+    let drivers =
+        mechanism.input.drivers.iter().enumerate().filter(|(_, driver)| driver.is_relative() && has(driver));
     drivers.map(|(id, _)| Driven { pair: pairs[id].pair, coordinate: mechanism.links.len() + id }).collect()
 }
 

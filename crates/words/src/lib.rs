@@ -12,8 +12,8 @@ pub use ascii::{latin, to_ascii};
 pub use inventory;
 pub use language::{LANGUAGES, Language, Resource};
 pub use text::{
-    Describe, Text, Told, CoordinateKind, coordinate, count, degrees, joined, list, millimeters, name, number, ordinal,
-    quantity, text_of, unit,
+    CoordinateKind, Describe, Text, Told, coordinate, count, degrees, joined, list, millimeters, name,
+    number, ordinal, quantity, text_of, unit,
 };
 
 resources!();

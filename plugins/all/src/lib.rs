@@ -9,6 +9,7 @@ use assur_force_longitudinal as _;
 use assur_force_newton_euler as _;
 use assur_force_virtual_power as _;
 use assur_group_any as _;
+use assur_group_driven as _;
 use assur_group_prp as _;
 use assur_group_rpp as _;
 use assur_group_rpr as _;

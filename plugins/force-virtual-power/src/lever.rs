@@ -206,7 +206,8 @@ impl Lever<'_> {
                     let InputPair::Slide(slide) = pair else {
                         return self.couple(link, size, kind, &symbol, &on_input);
                     };
-                    let (slide, along) = (&mechanism.slides[slide], drive_direction(mechanism, driver, bodies));
+                    let (slide, along) =
+                        (&mechanism.slides[slide], drive_direction(mechanism, driver, bodies));
                     let image = self.image(link, bodies[slide.link].point(slide.point));
                     let vector = scaled(size, along.unwrap_or_default());
                     let named = [symbol.clone(), on_input.clone()];

@@ -21,36 +21,51 @@ pub(super) fn coordinates(found: &Calculation, moves: bool, to: &mut impl Sink) 
     }
 }
 
-/// PF1 with respect to each coordinate, the others at rest; of a single drive PF2 too.
-pub(super) fn partials(found: &Calculation, to: &mut impl Sink) {
-    let (wanted, input) = (&found.plan.wanted, &found.linkage.mechanism.input);
-    if !input.kind().is_time() {
-        return;
+/// The drives with the orders of the derivatives with respect to the coordinate of each: PF1, of a single drive PF2 too; none where
+/// the coordinate is that of a drive.
+fn partials(found: &Calculation) -> impl Iterator<Item = (usize, u8)> {
+    let input = &found.linkage.mechanism.input;
+    let drives = if input.kind().is_time() { input.drivers.len() } else { 0 };
+    let most = if input.is_list { 1 } else { 2 };
+    (1..=most).flat_map(move |order| (0..drives).map(move |drive| (drive, order)))
+}
+
+/// Angles of the links, and their derivatives with respect to the coordinate of each drive, the others at rest.
+pub(super) fn links(found: &Calculation, to: &mut impl Sink) {
+    for link in found.plan.wanted.links.iter().copied() {
+        to.always([Column::of(Quantity::Transfer(0), Owner::Link(link))], |rows| [rows.angle(link)]);
+        for (drive, order) in partials(found) {
+            to.always([Column::of(Quantity::Partial { drive, order }, Owner::Link(link))], |rows| {
+                let body = &rows.partials[drive][link];
+                [if order == 1 { body.w1 } else { body.w2 }]
+            });
+        }
     }
-    let orders: &[u8] = if input.is_list { &[1] } else { &[1, 2] };
-    for &order in orders {
-        for drive in 0..input.drivers.len() {
-            let quantity = Quantity::Partial { drive, order };
-            let of = |numbers: [Lanes; 2]| numbers[usize::from(order) - 1];
-            for &link in &wanted.links {
-                to.always([Column::of(quantity, Owner::Link(link))], |rows| {
-                    let body = &rows.partials[drive][link];
-                    [of([body.w1, body.w2])]
-                });
-            }
-            for (id, at) in &wanted.points {
-                to.always(Column::vector(quantity, Owner::Point(*id)), |rows| {
-                    let PointMotion { pf1, pf2, .. } = PointMotion::of(&rows.partials[drive][at.link], at.at);
-                    if order == 1 { pf1 } else { pf2 }
-                });
-            }
-            for &slide in &wanted.slides {
-                to.always([Column::of(quantity, Owner::Slide(slide))], |rows| {
-                    let found = &rows.calculation.linkage.mechanism.slides[slide];
-                    let ScalarMotion { pf1, pf2, .. } = ScalarMotion::of_slide(found, &rows.partials[drive]);
-                    [of([pf1, pf2])]
-                });
-            }
+}
+
+/// Places of the points, and the same derivatives.
+pub(super) fn points(found: &Calculation, to: &mut impl Sink) {
+    for (id, at) in &found.plan.wanted.points {
+        to.always(Column::vector(Quantity::Transfer(0), Owner::Point(*id)), |rows| rows.point(at).pf0);
+        for (drive, order) in partials(found) {
+            to.always(Column::vector(Quantity::Partial { drive, order }, Owner::Point(*id)), |rows| {
+                let PointMotion { pf1, pf2, .. } = PointMotion::of(&rows.partials[drive][at.link], at.at);
+                if order == 1 { pf1 } else { pf2 }
+            });
+        }
+    }
+}
+
+/// Displacements of the slides, and the same derivatives.
+pub(super) fn slides(found: &Calculation, to: &mut impl Sink) {
+    for slide in found.plan.wanted.slides.iter().copied() {
+        to.always([Column::of(Quantity::Transfer(0), Owner::Slide(slide))], |rows| [rows.slide(slide).pf0]);
+        for (drive, order) in partials(found) {
+            to.always([Column::of(Quantity::Partial { drive, order }, Owner::Slide(slide))], |rows| {
+                let slide = &rows.calculation.linkage.mechanism.slides[slide];
+                let ScalarMotion { pf1, pf2, .. } = ScalarMotion::of_slide(slide, &rows.partials[drive]);
+                [if order == 1 { pf1 } else { pf2 }]
+            });
         }
     }
 }

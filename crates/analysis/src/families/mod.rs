@@ -180,10 +180,15 @@ fn positions(found: &Calculation, moves: bool, has_forces: bool, to: &mut impl S
             motion::speeds(to);
         }
     }
-    motion::links(wanted, to);
-    motion::points(wanted, to);
-    motion::slides(wanted, to);
-    drives::partials(found, to);
+    if found.linkage.kind().is_time() {
+        drives::links(found, to);
+        drives::points(found, to);
+        drives::slides(found, to);
+    } else {
+        motion::links(wanted, to);
+        motion::points(wanted, to);
+        motion::slides(wanted, to);
+    }
     if moves && found.plan.velocities {
         motion::rates(wanted, to);
     }

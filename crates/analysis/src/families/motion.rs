@@ -89,18 +89,18 @@ pub(super) fn rates(wanted: &Wanted, to: &mut impl Sink) {
 
 impl Rows<'_> {
     /// The angle of a link, in (-pi, pi].
-    fn angle(&self, link: LinkId) -> Lanes {
+    pub(super) fn angle(&self, link: LinkId) -> Lanes {
         let body = &self.position.bodies[link];
         Lanes::of(|lane| elementary::atan2(body.s.0[lane], body.c.0[lane]))
     }
 
     #[inline]
-    fn point(&self, at: &Place) -> PointMotion<Lanes> {
+    pub(super) fn point(&self, at: &Place) -> PointMotion<Lanes> {
         PointMotion::of(&self.position.bodies[at.link], at.at)
     }
 
     #[inline]
-    fn slide(&self, slide: SlideId) -> ScalarMotion<Lanes> {
+    pub(super) fn slide(&self, slide: SlideId) -> ScalarMotion<Lanes> {
         ScalarMotion::of_slide(&self.calculation.linkage.mechanism.slides[slide], &self.position.bodies)
     }
 }

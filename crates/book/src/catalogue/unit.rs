@@ -123,7 +123,11 @@ impl Unit {
 
     /// Inertia reduced to the input and its derivative with respect to the coordinate.
     pub const fn inertias(kind: CoordinateKind) -> [Self; 2] {
-        if matches!(kind, CoordinateKind::Angle) { [Self::INERTIA, Self::si("kg m2/rad")] } else { [Self::KILOGRAM, Self::si("kg/m")] }
+        if matches!(kind, CoordinateKind::Angle) {
+            [Self::INERTIA, Self::si("kg m2/rad")]
+        } else {
+            [Self::KILOGRAM, Self::si("kg/m")]
+        }
     }
 
     /// The name of a column of numbers in SI, which ends with the unit: `D_x_pf2_m_per_rad2`, `flywheel_kgm2`.
@@ -184,7 +188,9 @@ pub fn unit(schema: &Schema, column: Column) -> Unit {
     };
     // Over time what is reduced to a drive is by its coordinate.
     let kind = match (column.owner, column.quantity) {
-        (Owner::Drive(drive), _) | (_, Quantity::Partial { drive, .. }) if of_drive(drive) => CoordinateKind::Angle,
+        (Owner::Drive(drive), _) | (_, Quantity::Partial { drive, .. }) if of_drive(drive) => {
+            CoordinateKind::Angle
+        }
         (Owner::Drive(_), _) | (_, Quantity::Partial { .. }) => CoordinateKind::Length,
         _ => kind,
     };

@@ -98,7 +98,9 @@ fn driven_from_another_link_the_relative_motion_is_the_same() {
         linkage.solve_index(0, Order::Second, &mut old).unwrap();
         for (link, pin) in other_inputs(&mechanism) {
             let driver = old.bodies[link];
-            if driver.w1.abs() < 0.1 * if linkage.kind().is_angle() { 1.0 } else { 1.0 / linkage.structure.scale } {
+            if driver.w1.abs()
+                < 0.1 * if linkage.kind().is_angle() { 1.0 } else { 1.0 / linkage.structure.scale }
+            {
                 continue;
             }
             let mut moved = mechanism.clone();

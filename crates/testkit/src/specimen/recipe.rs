@@ -138,8 +138,15 @@ fn mechanism_of(draft: &mut Draft, pair: InputPair, from: f64) -> Mechanism {
     let (positions, range) = (POSITIONS[0], Range::To(from));
     let label = draft.links[1].name.clone();
     let driver = Driver { link: 1, on: GROUND, pair, label, law: None };
-    let input =
-        Input { drivers: vec![driver], is_list: false, name: None, from, positions, range, direction: Sense::Ccw };
+    let input = Input {
+        drivers: vec![driver],
+        is_list: false,
+        name: None,
+        from,
+        positions,
+        range,
+        direction: Sense::Ccw,
+    };
     Mechanism {
         title: "Specimen".to_owned(),
         links: draft.links.clone(),

@@ -5,8 +5,8 @@ use std::collections::HashSet;
 use assur_analysis::{Methods, Options, plan::Plan};
 use assur_book::{driven_link, link_name};
 use assur_group::Order;
-use assur_mechanism::{CoordinateKind, 
-    Balance, CharacteristicKind, Drive, Mechanism, Motion, MotorChoice, Solve, Torque,
+use assur_mechanism::{
+    Balance, CharacteristicKind, CoordinateKind, Drive, Mechanism, Motion, MotorChoice, Solve, Torque,
 };
 use assur_structure::Structure;
 use assur_words::{Text, joined, list, name, text};

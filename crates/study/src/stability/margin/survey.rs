@@ -179,7 +179,8 @@ impl Trial {
 fn moved(linkage: &Linkage, changed: &Structure) -> Vec<bool> {
     let before = &linkage.structure;
     let mut links = vec![false; before.links];
-    for ((driver, old), new) in linkage.mechanism.input.drivers.iter().zip(&before.pairs).zip(&changed.pairs) {
+    for ((driver, old), new) in linkage.mechanism.input.drivers.iter().zip(&before.pairs).zip(&changed.pairs)
+    {
         if !driver.is_relative() {
             links[driver.link] = old.pair.geometry != new.pair.geometry;
         }
