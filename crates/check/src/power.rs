@@ -3,7 +3,7 @@
 
 use assur_force::{Cause, LoadState, Side, UnitBalance, power, tolerance};
 use assur_group::Body;
-use assur_mechanism::PairId;
+use assur_mechanism::{CoordinateKind, PairId};
 use assur_words::{Text, name, quantity, text};
 
 use crate::kinetics::{self, ROUNDINGS, rounding_of_sum};
@@ -28,7 +28,7 @@ pub(crate) fn compare(
     let balancing = own + friction;
     let [inertia, slope] = kinetics::reduced(&linkage.mechanism, state.coordinate, bodies);
     let terms = [-inertia * state.acceleration, -0.5 * slope * state.speed * state.speed];
-    let Sums { moment, sizes, added, carried } = sums(case);
+    let Sums { moment, sizes, added, carried, .. } = sums(case, bodies);
     compare_reduced(case, [inertia, slope, moment], [sizes, added], reduced);
     let exchanged = exchanged(case);
     let total =
@@ -39,7 +39,11 @@ pub(crate) fn compare(
     let limit = (rounding_of_sum(added, total) + rounding / total) * case.condition();
     let mut left = balancing + moment + terms[0] + terms[1];
     let of_motion = left.abs() / total;
-    let unit = if linkage.kind().is_angle() { "N m" } else { "N" };
+    let unit = match linkage.kind() {
+        CoordinateKind::Angle => "N m",
+        CoordinateKind::Length => "N",
+        CoordinateKind::Time => "W",
+    };
     let told =
         || text!("check-remainder", symbol = name("Pogr1"), left = quantity(format!("{left:.1e}"), unit));
     lagrange.offer(one.index, of_motion, limit, told);
@@ -47,6 +51,7 @@ pub(crate) fn compare(
         loads.total(state, bodies).iter().zip(bodies).map(|(wrench, body)| power(wrench, body)).sum();
     let of_powers = (balancing + sum).abs() / total;
     lever.offer(one.index, of_powers, limit, || text!("check-all-loads"));
+    compare_drives(case, lever);
     let mut residuals = [of_motion, of_powers];
     if let Some(given) = case.subject.drive.map(|given| given(state)) {
         let total = total.max(given.value.abs());
@@ -64,9 +69,34 @@ pub(crate) fn compare(
     (residuals, left)
 }
 
+/// Over time compares the load of each drive with the virtual power of everything else, the other drives at rest.
+fn compare_drives(case: &Case<'_>, lever: &mut Collector) {
+    let (one, linkage) = (case.one, case.subject.linkage);
+    let drives = case.reactions.of_drives(&linkage.mechanism).filter(|_| linkage.kind().is_time());
+    for (drive, (driver, load)) in drives.enumerate() {
+        let mut bodies = one.position.bodies.clone();
+        if linkage.derive_by(drive, one.position.coordinate, &mut bodies).is_err() {
+            continue;
+        }
+        let friction = case.reactions.friction.iter().flat_map(|friction| {
+            friction.frictions.powers(&friction.forces, &bodies).map(|(_, power)| power).collect::<Vec<_>>()
+        });
+        let friction: Vec<f64> = friction.collect();
+        let Sums { all, sizes, added, carried, .. } = sums(case, &bodies);
+        let left = load + all + friction.iter().sum::<f64>();
+        let sizes = sizes + load.abs() + friction.iter().map(|power| power.abs()).sum::<f64>();
+        let rounding = 4.0 * f64::EPSILON * carried;
+        let total = if sizes > rounding { sizes } else { carried.max(f64::MIN_POSITIVE) };
+        let limit = (rounding_of_sum(added, total) + rounding / total) * case.condition();
+        lever.offer(one.index, left.abs() / total, limit, || Text::from(&driver.label));
+    }
+}
+
 /// The powers of the items of a state, added up.
 #[derive(Default)]
 struct Sums {
+    /// Of all.
+    all: f64,
     /// Of all but inertia loads.
     moment: f64,
     /// Sizes of the powers.
@@ -77,23 +107,24 @@ struct Sums {
     carried: f64,
 }
 
-fn sums(case: &Case<'_>) -> Sums {
-    let (bodies, scale) = (&case.one.position.bodies, case.subject.linkage.structure.scale);
+/// Adds up the powers with these velocities of the links.
+fn sums(case: &Case<'_>, bodies: &[Body<f64>]) -> Sums {
+    let scale = case.subject.linkage.structure.scale;
     let moves = |body: &Body<f64>| body.x1.hypot(body.y1) + body.w1.abs() * scale;
     let links = case.subject.linkage.structure.links;
     let motion = bodies.iter().take(links).map(moves).fold(0.0, f64::max);
-    let (mut found, mut all) = (Sums::default(), 0.0_f64);
+    let mut found = Sums::default();
     for ((cause, link), item) in case.items {
         let body = &bodies[*link];
         found.sizes += item.size * moves(body);
         // A link that rests has the rounding of the motion of others for its motion.
         found.carried += item.size * motion;
         let own = power(&item.wrench, body);
-        all += own;
+        found.all += own;
         if !matches!(cause, Cause::Inertia(_)) {
             found.moment += own;
         }
-        found.added += f64::max(all.abs(), found.moment.abs());
+        found.added += f64::max(found.all.abs(), found.moment.abs());
     }
     found
 }

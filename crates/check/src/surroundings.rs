@@ -87,6 +87,9 @@ impl<'a, T: Precision> Differences<'a, T> {
     /// Differences around a position and the rounding there; `None` where too few steps can be solved on both sides.
     pub(crate) fn around(&mut self, all: &[Element], one: &Solved) -> Option<Surroundings> {
         let coordinate = one.position.coordinate;
+        for chain in self.perturbed.iter_mut().chain([&mut self.chain]) {
+            chain.continue_laws(&self.subject.linkage.mechanism, coordinate);
+        }
         let q = T::from_f64(coordinate);
         let start: Vec<_> = one.position.bodies.iter().map(|body| body.map(T::from_f64)).collect();
         // The steps are far smaller than the distance to a change point, where the assembly mode could change.

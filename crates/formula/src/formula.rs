@@ -4,7 +4,7 @@ use std::{ops::Range, sync::Arc};
 
 use assur_number::Dd;
 
-use crate::number::Number;
+use crate::number::{Number, Scalar};
 use crate::parse::{self, FormulaError};
 use crate::program::{Branches, DEPTH, Kind, Operation, Sign, Switch, Used, Variable, Variables};
 use crate::rounded::Rounded;
@@ -167,9 +167,19 @@ impl Formula {
     /// The value of a formula that depends on the time alone, and its first and second derivative with respect to it; at a bend or a
     /// jump, of one of its sides.
     pub fn over_time(&self, time: f64) -> [f64; 3] {
-        let slope = Dual { value: 1.0, slope: 0.0 };
+        self.twice_differentiated(time)
+    }
+
+    /// [`over_time`](Self::over_time) in about 32 digits.
+    pub fn over_time_precise(&self, time: Dd) -> [Dd; 3] {
+        self.twice_differentiated(time)
+    }
+
+    fn twice_differentiated<N: Scalar>(&self, time: N) -> [N; 3] {
+        let [zero, one] = [0.0, 1.0].map(N::of);
+        let slope = Dual { value: one, slope: zero };
         let variable = |name| match name {
-            Variable::Time => Dual { value: Dual { value: time, slope: 1.0 }, slope },
+            Variable::Time => Dual { value: Dual { value: time, slope: one }, slope },
             Variable::Coordinate | Variable::Speed | Variable::Place => Dual::of(0.0),
         };
         let Dual { value, slope } = self.number(Branches::default(), variable);

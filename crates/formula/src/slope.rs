@@ -21,13 +21,13 @@ impl<T: Scalar> Signed for T {
     }
 }
 
-impl Signed for Dual<f64> {
+impl<T: Scalar> Signed for Dual<T> {
     fn sign(self) -> Option<Sign> {
-        self.value.sign()
+        Signed::sign(self.value)
     }
 
     fn is_zero(self) -> bool {
-        self.value.is_zero() && self.slope.is_zero()
+        Signed::is_zero(self.value) && Signed::is_zero(self.slope)
     }
 }
 

@@ -102,6 +102,12 @@ impl<T: Number> Chain<T> {
         vec![Body::ground(); self.bodies]
     }
 
+    /// The laws of a motion over time as they are at an instant, each continued beyond where another polynomial begins.
+    pub fn continue_laws(&mut self, mechanism: &Mechanism, time: f64) {
+        let laws = mechanism.input.drivers.iter().filter_map(|driver| driver.law.as_ref());
+        self.laws = laws.map(|law| law.continued(time)).collect();
+    }
+
     /// Places what is driven; the derivatives are exact.
     #[inline]
     pub fn set_input(&self, coordinate: T, bodies: &mut [Body<T>]) {
@@ -109,7 +115,7 @@ impl<T: Number> Chain<T> {
             return Self::drive(*input, [coordinate, T::ONE, T::ZERO], bodies);
         }
         for (input, law) in self.inputs.iter().zip(&self.laws) {
-            Self::drive(*input, coordinate.by_lane(|time| law.at(time)), bodies);
+            Self::drive(*input, coordinate.along(law), bodies);
         }
     }
 
@@ -118,7 +124,7 @@ impl<T: Number> Chain<T> {
     pub fn set_input_of(&self, driver: usize, time: T, bodies: &mut [Body<T>]) {
         for (index, (input, law)) in self.inputs.iter().zip(&self.laws).enumerate() {
             let rate = if index == driver { T::ONE } else { T::ZERO };
-            let [place] = time.by_lane(|time| [law.at(time)[0]]);
+            let [place, ..] = time.along(law);
             Self::drive(*input, [place, rate, T::ZERO], bodies);
         }
     }

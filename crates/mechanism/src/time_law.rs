@@ -1,7 +1,7 @@
 //! The coordinate of a drive over time.
 
 use assur_formula::Formula;
-use assur_number::ROUNDING;
+use assur_number::{Curve, Dd, ROUNDING, Real};
 
 /// A law of motion: a coordinate (rad or m) over time (s).
 #[derive(Debug, Clone, PartialEq)]
@@ -81,9 +81,21 @@ impl TimeLaw {
     pub fn at(&self, time: f64) -> [f64; 3] {
         match self {
             Self::Uniform { from, rate } => [from + rate * time, *rate, 0.0],
-            Self::Pieces(pieces) => pieces.at(time),
+            Self::Pieces(pieces) => {
+                let (piece, start) = pieces.piece(time);
+                piece.at(time - start)
+            }
             Self::Formula { formula, factor } => formula.over_time(time).map(|number| factor * number),
         }
+    }
+
+    /// The same law at a time, of a table the polynomial that holds there, continued to all times.
+    #[must_use]
+    pub fn continued(&self, time: f64) -> Self {
+        let Self::Pieces(pieces) = self else { return self.clone() };
+        let (piece, start) = pieces.piece(time);
+        let all = vec![Piece { start, ..*piece }];
+        Self::Pieces(Pieces { all, last: start, repeats: false, until: 0.0 })
     }
 
     /// The time from which on it says nothing, s; `None`: it has a value at every time.
@@ -118,17 +130,17 @@ impl Pieces {
         Self { all, last, repeats: repeats(rows), until }
     }
 
-    fn at(&self, time: f64) -> [f64; 3] {
+    /// The polynomial that holds at a time, and when it begins in that round, s.
+    fn piece(&self, time: f64) -> (&Piece, f64) {
         let same = SAME_TIME * self.until;
-        let round = if self.repeats { ((time + same) / self.last).floor().max(0.0) } else { 0.0 };
-        let mut own = time - round * self.last;
-        if round > 0.0 && own <= same && time >= self.until - same {
-            own += self.last;
+        let mut round = if self.repeats { ((time + same) / self.last).floor().max(0.0) } else { 0.0 };
+        if round > 0.0 && time - round * self.last <= same && time >= self.until - same {
+            round -= 1.0;
         }
+        let own = time - round * self.last;
         let after = self.all.partition_point(|piece| piece.start <= own + same).max(1);
-        let Piece { start, factors: [a, b, c, d] } = self.all[after - 1];
-        let t = own - start;
-        [a + t * (b + t * (c + t * d)), b + t * (2.0 * c + 3.0 * t * d), 2.0 * c + 6.0 * t * d]
+        let piece = &self.all[after - 1];
+        (piece, piece.start + round * self.last)
     }
 
     /// Whether the speed jumps from one piece, a line, to another; pieces that bend join without a jump.
@@ -158,6 +170,37 @@ impl Pieces {
             own.clone().into_iter().map(move |time| start + time)
         });
         times.take_while(|time| *time < self.until * (1.0 - SAME_TIME))
+    }
+}
+
+impl Piece {
+    /// The coordinate, its speed and its acceleration at a time after the start.
+    fn at<T: Real>(&self, t: T) -> [T; 3] {
+        let [a, b, c, d] = self.factors.map(T::from_f64);
+        let [two, three] = [2.0, 3.0].map(T::from_f64);
+        [a + t * (b + t * (c + t * d)), b + t * (two * c + three * t * d), two * c + two * three * t * d]
+    }
+}
+
+impl Curve<3> for TimeLaw {
+    fn at(&self, time: f64) -> [f64; 3] {
+        Self::at(self, time)
+    }
+
+    fn precise(&self, time: Dd) -> [Dd; 3] {
+        match self {
+            Self::Uniform { from, rate } => {
+                let rate = Dd::from_f64(*rate);
+                [Dd::from_f64(*from) + rate * time, rate, Dd::ZERO]
+            }
+            Self::Pieces(pieces) => {
+                let (piece, start) = pieces.piece(time.to_f64());
+                piece.at(time - Dd::from_f64(start))
+            }
+            Self::Formula { formula, factor } => {
+                formula.over_time_precise(time).map(|number| Dd::from_f64(*factor) * number)
+            }
+        }
     }
 }
 

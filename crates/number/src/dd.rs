@@ -5,7 +5,7 @@
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::Real;
+use crate::{Curve, Real};
 
 /// `hi + lo` with |lo| at most half a unit in the last place of `hi`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -134,6 +134,9 @@ impl Real for Dd {
     }
     fn to_f64(self) -> f64 {
         self.hi + self.lo
+    }
+    fn along<const N: usize>(self, curve: &impl Curve<N>) -> [Self; N] {
+        curve.precise(self)
     }
     fn sqrt(self) -> Self {
         let root = self.hi.sqrt();

@@ -4,7 +4,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use pulp::Arch;
 
-use crate::{Real, sine};
+use crate::{Curve, Real, sine};
 
 /// Eight numbers that are put through a formula together: a plain array that the compiler turns into vector
 /// instructions (one register of AVX-512, two of AVX).
@@ -83,10 +83,10 @@ impl Real for Lanes {
     fn to_f64(self) -> f64 {
         self.0[0]
     }
-    fn by_lane<const N: usize>(self, number: impl Fn(f64) -> [f64; N]) -> [Self; N] {
+    fn along<const N: usize>(self, curve: &impl Curve<N>) -> [Self; N] {
         let mut all = [Self::ZERO; N];
         for (lane, own) in self.0.into_iter().enumerate() {
-            all.iter_mut().zip(number(own)).for_each(|(all, own)| all.0[lane] = own);
+            all.iter_mut().zip(curve.at(own)).for_each(|(all, own)| all.0[lane] = own);
         }
         all
     }

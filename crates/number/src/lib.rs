@@ -26,7 +26,7 @@ pub use components::components;
 pub use dd::Dd;
 pub use intervals::Intervals;
 pub use lanes::Lanes;
-pub use real::Real;
+pub use real::{Curve, Real};
 pub use statistic::{Extreme, Statistic};
 
 /// A result is zero but for rounding where it is no greater than this part of what it consists of: of the greatest of its terms, of

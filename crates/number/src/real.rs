@@ -5,7 +5,7 @@ use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
 use pulp::Arch;
 
-use crate::sine;
+use crate::{Dd, sine};
 
 /// `+=` and `-=` of a number by its sum and difference.
 macro_rules! assigning {
@@ -25,6 +25,14 @@ macro_rules! assigning {
     };
 }
 pub(crate) use assigning;
+
+/// Numbers that depend on one number.
+pub trait Curve<const N: usize> {
+    /// In 16 digits.
+    fn at(&self, x: f64) -> [f64; N];
+    /// In about 32 digits.
+    fn precise(&self, x: Dd) -> [Dd; N];
+}
 
 /// A real number, or several side by side.
 ///
@@ -95,10 +103,10 @@ pub trait Real:
     /// Sine and cosine of an angle, rad.
     fn sin_cos(self) -> (Self, Self);
 
-    /// Numbers that are found in 16 digits, lane by lane.
+    /// The numbers of a curve at this one, lane by lane.
     #[must_use]
-    fn by_lane<const N: usize>(self, number: impl Fn(f64) -> [f64; N]) -> [Self; N] {
-        number(self.to_f64()).map(Self::from_f64)
+    fn along<const N: usize>(self, curve: &impl Curve<N>) -> [Self; N] {
+        curve.at(self.to_f64()).map(Self::from_f64)
     }
 
     /// Evaluates a formula with the widest instructions that the machine has for this kind of number. The closure must be
