@@ -94,6 +94,7 @@ analysis-residual-equilibrium = equilibrium
 analysis-residual-dynamics = dynamics
 analysis-residual-global = global
 analysis-load-named = { $name } (load)
+analysis-speed-jumps = The speed of the input `{ $drive }` jumps at { $times }: results there are those just after it, and the load of the jump is not among them; `shape = "smooth"` has no jumps.
 analysis-listed-backwards = The positions are listed from { $from } to { $to }, and the input moves the other way: velocity arrows point against the order of the positions. With `direction = "{ $direction }"` in [input] the motion follows the list.
 analysis-arc-never-slides = The arc of `{ $contact }` never slides, so that it has no friction.
 analysis-arc-rolls = The arc of `{ $contact }` rolls without sliding in { $positions }: there its friction has the sense that it has just after.

@@ -95,6 +95,7 @@ analysis-residual-equilibrium = равновесие
 analysis-residual-dynamics = динамика
 analysis-residual-global = общая
 analysis-load-named = { $name } (нагрузка)
+analysis-speed-jumps = Скорость входа `{ $drive }` скачком меняется в { $times }: результаты там — сразу после скачка, нагрузки самого скачка среди них нет; с `shape = "smooth"` скачков нет.
 analysis-listed-backwards = Положения перечислены от { $from } до { $to }, а входное звено движется в другую сторону: стрелки скоростей направлены против порядка положений. С `direction = "{ $direction }"` в [input] движение идёт по списку.
 analysis-arc-never-slides = Дуга «{ $contact }» нигде не скользит, так что трения нет.
 analysis-arc-rolls = Дуга «{ $contact }» катится без скольжения: { $positions }; там её трение имеет то направление, что сразу после этого.

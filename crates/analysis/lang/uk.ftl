@@ -94,6 +94,7 @@ analysis-residual-equilibrium = рівновага
 analysis-residual-dynamics = динаміка
 analysis-residual-global = загальна
 analysis-load-named = { $name } (навантаження)
+analysis-speed-jumps = Швидкість входу `{ $drive }` стрибком змінюється у { $times }: результати там — одразу після стрибка, навантаження самого стрибка серед них немає; з `shape = "smooth"` стрибків немає.
 analysis-listed-backwards = Положення перелічено від { $from } до { $to }, а вхідна ланка рухається в інший бік: стрілки швидкостей спрямовані проти порядку положень. З `direction = "{ $direction }"` у [input] рух іде за переліком.
 analysis-arc-never-slides = Дуга «{ $contact }» ніде не ковзає, тож тертя немає.
 analysis-arc-rolls = Дуга «{ $contact }» котиться без ковзання: { $positions }; там її тертя має той напрям, що відразу після цього.

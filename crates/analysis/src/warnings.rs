@@ -8,7 +8,7 @@ mod mistakes;
 
 use assur_dynamics::unknown_rotor;
 use assur_integrator::Knob;
-use assur_mechanism::{Mechanism, Motion, Range, Warning};
+use assur_mechanism::{Driver, Mechanism, Motion, Range, Warning};
 use assur_words::{Describe, Text, coordinate, joined, list, name, number, quantity, text};
 
 use crate::{
@@ -46,6 +46,7 @@ impl Calculation {
         notes.extend(self.springs_without_direction());
         notes.extend(self.positions_out_of_time());
         notes.extend(self.listed_against_the_motion());
+        notes.extend(self.laws_that_jump());
         notes.extend(self.friction_of_contacts());
         if let InputMotion::Transient(found) = &self.motion {
             notes.extend(found.unrest.as_ref().map(|why| text!("analysis-unrest", why)));
@@ -74,6 +75,21 @@ impl Calculation {
             notes.push(text!("analysis-more-failures", more));
         }
         notes
+    }
+
+    /// The drives whose speed jumps, and when.
+    fn laws_that_jump(&self) -> Vec<Text> {
+        /// Most instants that are told.
+        const MOST: usize = 8;
+        let jumps = |driver: &Driver| {
+            let times: Vec<f64> =
+                driver.law.as_ref()?.breaks().map(|(time, _)| time).take(MOST + 1).collect();
+            let more = (times.len() > MOST).then(|| name("..."));
+            let told = times.iter().take(MOST).map(|time| quantity(time, "s")).chain(more);
+            let drive = Text::from(&driver.label);
+            (!times.is_empty()).then(|| text!("analysis-speed-jumps", drive, times = list(told)))
+        };
+        self.linkage.mechanism.input.drivers.iter().filter_map(jumps).collect()
     }
 
     /// A list of places that the prescribed motion passes in the opposite order.

@@ -41,7 +41,8 @@ fn columns(schema: &Schema) -> Vec<Column> {
     let speeds = schema.owners(Quantity::Velocity).into_iter();
     let speeds = speeds.filter(|owner| matches!(owner, Owner::Slide(_) | Owner::Link(_)));
     columns.extend(speeds.map(|owner| Column::of(Quantity::Velocity, owner)));
-    columns.extend(schema.find(Column::BALANCING).map(|_| Column::BALANCING));
+    let loads = schema.owners(Quantity::Balancing).into_iter();
+    columns.extend(loads.map(|owner| Column::of(Quantity::Balancing, owner)));
     columns
 }
 

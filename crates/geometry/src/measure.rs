@@ -108,7 +108,9 @@ pub fn overview(linkage: &Linkage) -> Result<Overview, GeometryError> {
         let course = link(&cycle, id, &parts)?;
         found.links.extend(course.stroke.is_some().then_some((id, course)));
     }
-    for (number, group) in linkage.structure.groups.iter().enumerate() {
+    // A driven link on a moving one transmits whatever it is given.
+    let groups = linkage.structure.groups.iter().enumerate().filter(|(_, group)| group.class > 1);
+    for (number, group) in groups {
         let course = VectorCourse::of(&cycle, |position| {
             let health = position.health[number].abs();
             alone(group.plugin.force_angle.transmission(&group.frame, &position.bodies, health))

@@ -25,7 +25,9 @@ impl RigidParts {
         let outer: Vec<_> = groups.iter().map(|group| outer_links(linkage, &group.frame)).collect();
         // A part that grows by a group may hold another one.
         for _ in groups {
-            for (group, outer) in groups.iter().zip(&outer) {
+            // A drive moves the links of its group.
+            let undriven = groups.iter().zip(&outer).filter(|(group, _)| group.frame.driven.is_empty());
+            for (group, outer) in undriven {
                 let Some((first, others)) = outer.split_first() else { continue };
                 let holds =
                     |one: LinkId| others.iter().all(|pair| pair.iter().any(|&link| parts.joins(one, link)));

@@ -130,6 +130,17 @@ impl Pieces {
         Self { all, last, repeats: repeats(rows), until }
     }
 
+    /// The rows of the table: time (s) and coordinate (rad or m).
+    pub fn rows(&self) -> impl Iterator<Item = [f64; 2]> + '_ {
+        let end = self.all.last().map(|piece| [self.last, piece.at(self.last - piece.start)[0]]);
+        self.all.iter().map(|piece| [piece.start, piece.factors[0]]).chain(end)
+    }
+
+    /// Whether it is a spline; otherwise straight lines.
+    pub fn is_smooth(&self) -> bool {
+        self.all.iter().any(|piece| piece.factors[2..].iter().any(|factor| factor.abs() > 0.0))
+    }
+
     /// The polynomial that holds at a time, and when it begins in that round, s.
     fn piece(&self, time: f64) -> (&Piece, f64) {
         let same = SAME_TIME * self.until;

@@ -14,7 +14,7 @@ pub(super) fn working(context: &Context<'_>, page: &mut Document) -> Result<(), 
     page.heading(text!("note-working", position = number(position)));
     let sections = match working {
         Ok(working) => working.sections,
-        Err(error @ WorkingError::Load { .. }) => {
+        Err(error @ (WorkingError::Load { .. } | WorkingError::OverTime)) => {
             page.paragraph(error.describe());
             return Ok(());
         }

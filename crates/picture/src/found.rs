@@ -164,6 +164,7 @@ fn gather(series: &mut Vec<Series>, table: &Table, edges: &Edges, over: Column) 
     for column in schema.columns().iter().filter(|column| column.cause.is_none()) {
         let is_shown = match (column.quantity, column.owner) {
             // Transfer functions are those of the scene.
+            (Quantity::Transfer(_), Owner::Drive(_)) => true,
             (Quantity::Transfer(_), _) => false,
             // Of the two forces of a pair one is shown.
             (Quantity::Force, Owner::PairOn(pair, link)) => shown.contains(&(pair, link)),
@@ -204,12 +205,17 @@ fn reactions(series: &[Series], table: &Table) -> Vec<Reaction> {
             found.push(Reaction { of, name, series, moment });
         }
     }
-    found.extend(index(series, Column::BALANCING).map(|index| Reaction {
-        of: None,
-        name: catalogue::kind(Column::BALANCING),
-        series: vec![index],
-        moment: None,
-    }));
+    // The balancing load, or over time that of each drive.
+    for owner in schema.owners(Quantity::Balancing) {
+        let column = Column::of(Quantity::Balancing, owner);
+        let name = catalogue::subject(schema, column);
+        found.extend(index(series, column).map(|index| Reaction {
+            of: None,
+            name,
+            series: vec![index],
+            moment: None,
+        }));
+    }
     found
 }
 

@@ -228,7 +228,13 @@ pub(crate) fn series(
         let size = if let Owner::Link(_) = place.owner { 1.0 } else { linkage.structure.scale };
         let first = series.len();
         series.extend((0..=2).map(|order| {
-            let column = Column { quantity: Quantity::Transfer(order), ..place };
+            // Over time derivatives are velocities and accelerations.
+            let quantity = match (order, linkage.kind().is_time()) {
+                (1, true) => Quantity::Velocity,
+                (2, true) => Quantity::Acceleration,
+                _ => Quantity::Transfer(order),
+            };
+            let column = Column { quantity, ..place };
             let course = Course::of(table, Some(edges), over, column);
             Series::of(&schema, column, course, ROUNDING * size)
         }));
@@ -243,7 +249,10 @@ pub(crate) fn series(
 fn positions(linkage: &Linkage) -> Result<(Table, Edges), AnalysisError> {
     let mut bare = linkage.clone();
     let mechanism = &mut bare.mechanism;
-    (mechanism.motion, mechanism.drive) = (None, None);
+    if !mechanism.input.kind().is_time() {
+        mechanism.motion = None;
+    }
+    mechanism.drive = None;
     mechanism.loads.clear();
     mechanism.frictions.clear();
     let options = Options { whole: true, ..Options::default() };

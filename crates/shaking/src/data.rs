@@ -124,6 +124,8 @@ pub struct AtPosition {
 pub enum ShakingError {
     /// The positions are no closed cycle.
     NoCycle,
+    /// The motion goes by laws over time.
+    OverTime,
     /// Nothing moves.
     NoMotion,
     /// No link has a mass.
@@ -140,6 +142,7 @@ impl Describe for ShakingError {
     fn describe(&self) -> Text {
         match self {
             Self::NoCycle => text!("shaking-no-cycle"),
+            Self::OverTime => text!("shaking-over-time"),
             Self::NoMotion => text!("shaking-no-motion"),
             Self::NoMass => text!("shaking-no-mass"),
             Self::Load(error) => error.describe(),
@@ -153,6 +156,7 @@ impl ShakingError {
     pub fn key(&self, mechanism: &Mechanism) -> Option<Key> {
         match self {
             Self::NoCycle => Some(Key::of("input").at("to")),
+            Self::OverTime => Some(Key::of("input")),
             Self::NoMotion if mechanism.motion.is_some() => Some(Key::of("motion").at("kind")),
             Self::NoMotion => Some(Key::of("input")),
             Self::NoMass => Some(Key::of("link")),

@@ -61,6 +61,9 @@ pub fn shaking_size(linkage: &Linkage, state: &dyn Fn(f64) -> LoadState) -> Resu
 
 /// The cycle over which masses shake, rad or m.
 fn period(mechanism: &Mechanism) -> Result<f64, ShakingError> {
+    if mechanism.input.kind().is_time() {
+        return Err(ShakingError::OverTime);
+    }
     let Range::Cycle(period) = mechanism.input.range else { return Err(ShakingError::NoCycle) };
     if !matches!(mechanism.motion, Some(Motion::Prescribed { .. } | Motion::Steady { .. })) {
         return Err(ShakingError::NoMotion);

@@ -273,8 +273,12 @@ fn formula(mechanism: &Mechanism, groups: &[Group]) -> Name {
 /// pairs.
 fn class_and_order(frame: &GroupFrame) -> (u8, u8) {
     let order = u8::try_from(frame.outer.len()).unwrap_or(u8::MAX);
+    if frame.links.is_empty() {
+        // A driven link with the moving one that is its ground.
+        return (1, 1);
+    }
     if frame.links.len() <= 2 {
-        return (if frame.links.is_empty() { 1 } else { 2 }, order);
+        return (2, order);
     }
     let elements = |link: usize| frame.pairs().filter(|pair| pair.joins(link)).count();
     let widest = frame.links.iter().map(|&link| elements(link)).max().unwrap_or(0);

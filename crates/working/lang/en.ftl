@@ -5,6 +5,7 @@ working-at-position = position { $position }
 working-at-sample = sample { $sample }, time { $time } s
 working-title = { $title }: working of { $of }
 working-structure = Structure: { $formula }
+working-over-time = the working of a position is written for one input whose coordinate is that of the mechanism; this one moves by laws over time: give the coordinate of a position as `from`, and its speed as `[motion] speed`
 working-no-position = there is no position { $position }: the scene has positions 0 to { $last }
 working-load = { $place }: { $error }
 

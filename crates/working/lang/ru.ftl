@@ -5,6 +5,7 @@ working-at-position = положения { $position }
 working-at-sample = момента { $sample }, время { $time } с
 working-title = { $title }: расчёт { $of }
 working-structure = Строение: { $formula }
+working-over-time = расчёт положения записывается для одного входа, координата которого является координатой механизма, а этот движется по законам во времени: задайте координату положения как `from`, а её скорость как `[motion] speed`
 working-no-position = положения { $position } нет: сцена имеет положения от 0 до { $last }
 working-load = { $place }: { $error }
 

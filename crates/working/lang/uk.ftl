@@ -5,6 +5,7 @@ working-at-position = положення { $position }
 working-at-sample = моменту { $sample }, час { $time } с
 working-title = { $title }: розрахунок { $of }
 working-structure = Будова: { $formula }
+working-over-time = розрахунок положення записується для одного входу, координата якого є координатою механізму, а цей рухається за законами в часі: задайте координату положення як `from`, а її швидкість як `[motion] speed`
 working-no-position = положення { $position } немає: сцена має положення від 0 до { $last }
 working-load = { $place }: { $error }
 

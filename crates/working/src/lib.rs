@@ -56,6 +56,8 @@ pub enum WorkingError {
         /// The number of the last position.
         last: usize,
     },
+    /// The coordinate of the mechanism is the time.
+    OverTime,
     /// The mechanism can't be assembled there.
     Position(PositionError),
     /// A load has no value there.
@@ -75,6 +77,7 @@ impl Describe for WorkingError {
     fn describe(&self) -> Text {
         match self {
             Self::Index { index, last } => text!("working-no-position", position = *index, last = *last),
+            Self::OverTime => text!("working-over-time"),
             Self::Position(error) => error.describe(),
             Self::Load { place, error } => {
                 text!("working-load", place = place.describe(), error = error.describe())
@@ -149,6 +152,9 @@ impl Working {
 
     pub(crate) fn by(task: &Task<'_>, own: bool) -> Result<Self, WorkingError> {
         let Task { linkage, loads, state, place, drive, analyzer } = *task;
+        if linkage.kind().is_time() {
+            return Err(WorkingError::OverTime);
+        }
         let mut position = linkage.position();
         match place {
             PositionOrSample::Position(index) => {

@@ -107,7 +107,7 @@ pub(super) fn loads(found: &Calculation, to: &mut impl Sink) {
 
 impl Rows<'_> {
     /// The coordinate of a drive over time, or a derivative of it.
-    fn of_law(&self, driver: &Driver, order: usize) -> Lanes {
+    pub(super) fn of_law(&self, driver: &Driver, order: usize) -> Lanes {
         let law = driver.law.as_ref();
         Lanes::of(|lane| law.map_or(f64::NAN, |law| law.at(self.instants[lane].state.time)[order]))
     }

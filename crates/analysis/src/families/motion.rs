@@ -1,7 +1,7 @@
 //! Time, coordinate and speeds of the input; transfer functions, velocities and accelerations.
 
 use assur_kinematics::{PointMotion, ScalarMotion};
-use assur_mechanism::{LinkId, Place, SlideId};
+use assur_mechanism::{InputPair, LinkId, Place, SlideId};
 use assur_number::{Lanes, elementary};
 
 use super::{Rows, Sink};
@@ -101,6 +101,13 @@ impl Rows<'_> {
 
     #[inline]
     pub(super) fn slide(&self, slide: SlideId) -> ScalarMotion<Lanes> {
+        let drivers = &self.calculation.linkage.mechanism.input.drivers;
+        let driven =
+            drivers.iter().find(|driver| driver.law.is_some() && driver.pair == InputPair::Slide(slide));
+        if let Some(driver) = driven {
+            let [pf0, pf1, pf2] = [0, 1, 2].map(|order| self.of_law(driver, order));
+            return ScalarMotion { pf0, pf1, pf2 };
+        }
         ScalarMotion::of_slide(&self.calculation.linkage.mechanism.slides[slide], &self.position.bodies)
     }
 }

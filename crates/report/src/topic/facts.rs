@@ -272,6 +272,17 @@ fn reactions(analysis: &Analysis, linkage: &Linkage, place: Unit) -> Vec<Fact> {
 
 fn balancing(analysis: &Analysis, linkage: &Linkage, place: Unit) -> Vec<Fact> {
     let (table, _) = rows(analysis);
+    let schema = table.schema();
+    if !schema.drives.is_empty() {
+        let of_drive = |owner: Owner| {
+            let column = Column::of(Quantity::Balancing, owner);
+            let units = [catalogue::unit(schema, column), place];
+            let fact =
+                extreme(analysis, "fact-greatest-load-of-drive", column, farthest(analysis, column)?, units);
+            Some(fact.of("drive", schema.named(owner).map(Text::from).unwrap_or_default()))
+        };
+        return schema.owners(Quantity::Balancing).into_iter().filter_map(of_drive).collect();
+    }
     let reduced = table.schema().owners(Quantity::ReducedLoad).into_iter();
     let reduced = reduced.filter_map(|owner| farthest(analysis, Column::of(Quantity::ReducedLoad, owner)));
     // Beside the loads that it balances it may be rounding.

@@ -109,6 +109,9 @@ fn greatest(source: &Source<'_>, page: &mut Document) {
 
 /// The balancing load in each position, and the greatest one.
 pub(super) fn balancing(source: &Source<'_>, page: &mut Document) {
+    if source.kind.is_time() {
+        return loads_of_drives(source, page);
+    }
     let greatest = source.analysis.survey.of(Values::BALANCING).and_then(Statistic::farthest);
     let Some(greatest) = greatest else { return };
     let number = greatest.number;
@@ -121,6 +124,18 @@ pub(super) fn balancing(source: &Source<'_>, page: &mut Document) {
         position = assur_words::number(number),
         at = source.coordinate().show(source.mechanism.input.coordinate(number))
     ));
+}
+
+/// Over time the load of each drive.
+fn loads_of_drives(source: &Source<'_>, page: &mut Document) {
+    let drives = source.owners(Quantity::Balancing, |owner| matches!(owner, Owner::Drive(_)));
+    if source.positions.is_empty() || drives.is_empty() {
+        return;
+    }
+    page.heading(text!("report-loads-of-drives"));
+    let load = |owner: &Owner| source.headed(source.name(*owner), Values::of(Quantity::Balancing, *owner));
+    let caption = text!("report-loads-of-drives-table");
+    page.table(Table::over(caption, source.keys(), drives.iter().map(load).collect()));
 }
 
 /// The balancing load in the shown positions.

@@ -2,8 +2,8 @@
 
 use assur_book::{Cell, Column, Document, Fact, Table, Unit, link_name, row};
 use assur_mechanism::{
-    Direction, Drive, Force, Inertia, LawTable, LinkId, LoadKind, Mechanism, Motion, MotorChoice, Over,
-    Solve, Torque, Value, VaryingInertia,
+    Direction, Drive, Driver, Force, Inertia, LawTable, LinkId, LoadKind, Mechanism, Motion, MotorChoice,
+    Over, Solve, TimeLaw, Torque, Value, VaryingInertia,
 };
 use assur_words::{Text, joined, list, name, text, unit};
 
@@ -125,6 +125,9 @@ fn pairs(table: &LawTable, by: Unit) -> Text {
 /// What the scene says about motion and drive.
 pub fn motion_given(source: &Source<'_>, page: &mut Document) {
     let [speed, acceleration] = Unit::rates_of(source.kind);
+    if source.kind.is_time() {
+        return page.facts(text!("report-given-motion"), laws(source));
+    }
     let mut facts = match &source.mechanism.motion {
         Some(Motion::Prescribed { speed: w, acceleration: e }) => {
             vec![Fact::number("given-speed", *w, speed), Fact::number("given-acceleration", *e, acceleration)]
@@ -138,6 +141,41 @@ pub fn motion_given(source: &Source<'_>, page: &mut Document) {
     };
     facts.extend(source.mechanism.drive.iter().flat_map(|of| drive(of, Unit::load_of(source.kind))));
     page.facts(text!("report-given-motion"), facts);
+}
+
+/// The duration of a motion over time, and the law of each drive.
+fn laws(source: &Source<'_>) -> Vec<Fact> {
+    let input = &source.mechanism.input;
+    let moves = source.mechanism.motion.is_some();
+    let duration = moves.then(|| Fact::number("given-duration", input.ends()[1], Unit::SECOND));
+    let law = |driver: &Driver| {
+        let unit = Unit::place(driver.is_angle());
+        let told = match driver.law.as_ref()? {
+            TimeLaw::Uniform { from, .. } if !moves => unit.show(*from),
+            TimeLaw::Uniform { from, rate } => {
+                let rate = Unit::rates(driver.is_angle())[0].show(*rate);
+                text!("given-uniform", from = unit.show(*from), rate)
+            }
+            TimeLaw::Pieces(pieces) => {
+                let rows = pieces.rows().map(|row| {
+                    let both = joined("; ", [Unit::SECOND.number(row[0]), unit.number(row[1])]);
+                    joined("", [name("("), both, name(")")])
+                });
+                let count = pieces.rows().count();
+                let more = (count > MOST_ROWS).then(|| name("..."));
+                let rows = list(rows.take(MOST_ROWS).chain(more));
+                let unit = assur_words::unit(unit.name);
+                if pieces.is_smooth() {
+                    text!("given-law-spline", rows, unit)
+                } else {
+                    text!("given-law-lines", rows, unit)
+                }
+            }
+            TimeLaw::Formula { formula, .. } => name(formula.text().to_owned()),
+        };
+        Some(Fact::text("given-law", told).of("drive", Text::from(&driver.label)))
+    };
+    duration.into_iter().chain(input.drivers.iter().filter_map(law)).collect()
 }
 
 fn wanted(id: &'static str, given: Solve, unit: Unit) -> Fact {

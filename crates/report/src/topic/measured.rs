@@ -61,6 +61,12 @@ fn strokes(found: &Geometry, unit: Unit, page: &mut Document) {
 }
 
 fn extremes(found: &Geometry, unit: Unit, page: &mut Document) {
+    // Derivatives by time are velocities.
+    let [first, second] = if found.kind.is_time() {
+        [text!("quantity-velocity"), text!("quantity-acceleration")]
+    } else {
+        [text!("quantity-pf1"), text!("quantity-pf2")]
+    };
     let mut rows = Vec::new();
     let mut add = |of, what, at, unit| rows.push((of, what, at, unit));
     let [length, angle] =
@@ -69,14 +75,14 @@ fn extremes(found: &Geometry, unit: Unit, page: &mut Document) {
     let links = found.links.iter().map(|part| (part, text!("geometry-angle"), angle));
     for ((of, at), place, units) in slides.chain(links) {
         at.pf0.iter().for_each(|pf0| add(of, place.clone(), pf0, units[0]));
-        add(of, text!("quantity-pf1"), &at.pf1, units[1]);
-        add(of, text!("quantity-pf2"), &at.pf2, units[2]);
+        add(of, first.clone(), &at.pf1, units[1]);
+        add(of, second.clone(), &at.pf2, units[2]);
     }
     for (of, at) in &found.points {
         let coordinates = [("x", &at.x), ("y", &at.y)].into_iter();
         coordinates.for_each(|(axis, at)| at.iter().for_each(|at| add(of, name(axis), at, length[0])));
-        add(of, text!("geometry-modulus", of = text!("quantity-pf1")), &at.pf1, length[1]);
-        add(of, text!("geometry-modulus", of = text!("quantity-pf2")), &at.pf2, length[2]);
+        add(of, text!("geometry-modulus", of = first.clone()), &at.pf1, length[1]);
+        add(of, text!("geometry-modulus", of = second.clone()), &at.pf2, length[2]);
     }
     page.heading(text!("geometry-extremes"));
     let table = Table::each(Text::default(), rows)

@@ -78,12 +78,18 @@ impl<'a> Source<'a> {
 
     /// The head of a column of the coordinate: its own name, or the link whose coordinate it is.
     fn coordinate_head(&self) -> Text {
+        if self.kind.is_time() {
+            return name("t");
+        }
         self.mechanism.input.name.as_ref().map_or_else(|| Text::from(self.analysis.input.name()), Text::from)
     }
 
     /// Number and coordinate of the positions.
     fn keys(&self) -> Vec<Column> {
         let numbers = Column::counted(text!("head-number"), self.positions.numbers().iter().copied());
+        if self.kind.is_time() {
+            self.told.borrow_mut().push(Quantity::Time);
+        }
         vec![numbers, self.headed(self.coordinate_head(), Values::COORDINATE)]
     }
 
@@ -168,7 +174,7 @@ pub fn report(source: &Source<'_>) -> Document {
     }
     for found in &analysis.cycle.plans {
         let at = source.coordinate().show(found.sheet.coordinate);
-        let (position, link) = (assur_words::number(found.index), Text::from(analysis.input.name()));
+        let (position, link) = (assur_words::number(found.index), source.coordinate_head());
         page.heading(text!("plans-of", position, link, at));
         plans(&found.sheet, &mut page);
     }

@@ -95,6 +95,9 @@ pub(super) fn positions(source: &Source<'_>, page: &mut Document) {
     }
     let place = Quantity::Transfer(0);
     page.heading(text!("report-positions"));
+    if source.kind.is_time() {
+        drives(source, page);
+    }
     let captions = [text!("head-points"), text!("head-point")];
     source.groups(page, captions, source.moving(place), (&[place], PROJECTIONS));
     let captions = [text!("report-angles"), text!("head-link")];
@@ -108,6 +111,9 @@ pub(super) fn transfer(source: &Source<'_>, page: &mut Document) {
     if !source.places() {
         return;
     }
+    if source.kind.is_time() {
+        return partials(source, page);
+    }
     let orders = &[Quantity::Transfer(1), Quantity::Transfer(2)];
     page.heading(text!("report-transfer"));
     let captions = [text!("head-links"), text!("head-link")];
@@ -118,21 +124,57 @@ pub(super) fn transfer(source: &Source<'_>, page: &mut Document) {
     source.groups(page, captions, source.slides(orders[0]), (orders, WHOLE));
 }
 
+/// Over time: transfer functions with respect to the coordinate of each drive, the others at rest.
+fn partials(source: &Source<'_>, page: &mut Document) {
+    page.heading(text!("report-partials"));
+    let drives = source.positions.schema().drives.len();
+    let orders: &[u8] = if source.mechanism.input.is_list { &[1] } else { &[1, 2] };
+    for (drive, &order) in (0..drives).flat_map(|drive| orders.iter().map(move |order| (drive, order))) {
+        let quantity = Quantity::Partial { drive, order };
+        let of = |what: Text| text!("report-by-coordinate", what, drive = source.name(Owner::Drive(drive)));
+        let [links, points, slides] =
+            [text!("head-links"), text!("head-points"), text!("head-slides")].map(of);
+        source.groups(page, [links, text!("head-link")], source.links(quantity), (&[quantity], WHOLE));
+        source.groups(
+            page,
+            [points, text!("head-point")],
+            source.moving(quantity),
+            (&[quantity], PROJECTIONS),
+        );
+        source.groups(page, [slides, text!("head-slide")], source.slides(quantity), (&[quantity], WHOLE));
+    }
+}
+
+/// Over time: coordinate, speed and acceleration of each drive.
+fn drives(source: &Source<'_>, page: &mut Document) {
+    let of = [Quantity::Transfer(0), RATES[0], RATES[1]];
+    let drives = source.owners(of[0], |owner| matches!(owner, Owner::Drive(_)));
+    let moves = !source.positions.schema().owners(RATES[0]).is_empty();
+    let quantities = if moves { &of[..] } else { &of[..1] };
+    source.groups(page, [text!("report-drives"), text!("head-input")], drives, (quantities, WHOLE));
+}
+
 /// Velocities and accelerations.
 pub(super) fn rates(source: &Source<'_>, page: &mut Document) {
     if source.positions.is_empty() || source.positions.schema().owners(RATES[0]).is_empty() {
         return;
     }
     page.heading(text!("report-rates"));
+    if !source.kind.is_time() {
+        rates_of_input(source, page);
+    }
+    rates_of_links(source, page);
+    rates_of_points(source, page);
+    let captions = [text!("report-slides-rates"), text!("head-slide")];
+    source.groups(page, captions, source.slides(RATES[0]), (RATES, WHOLE));
+}
+
+fn rates_of_input(source: &Source<'_>, page: &mut Document) {
     let of_input = vec![
         source.headed(text!("head-speed"), Values::of(RATES[0], Owner::Input)),
         source.headed(text!("head-acceleration"), Values::of(RATES[1], Owner::Input)),
     ];
     page.table(Table::over(text!("report-input"), source.keys(), of_input));
-    rates_of_links(source, page);
-    rates_of_points(source, page);
-    let captions = [text!("report-slides-rates"), text!("head-slide")];
-    source.groups(page, captions, source.slides(RATES[0]), (RATES, WHOLE));
 }
 
 /// Angular velocities and accelerations of the links.

@@ -225,6 +225,8 @@ impl<'a> Walk<'a> {
         let mut out = Reactions::new(self.linkage);
         let solved = plugin.instance.solve(self.linkage, position, &mut loads, &mut out);
         solved.map_err(|error| error.describe())?;
-        Ok(reactions(&out.pairs[1..], &reference.pairs[1..], self.scale))
+        // The reference has the reactions of groups alone, those of driven pairs with their drives.
+        let drives = self.linkage.mechanism.input.drivers.len();
+        Ok(reactions(&out.pairs[drives..], &reference.pairs[drives..], self.scale))
     }
 }
