@@ -180,14 +180,14 @@ fn errors_of_groups_positions_and_loads() {
     ];
     let mut all: Vec<Text> = groups.iter().map(Describe::describe).collect();
     let group = text!("structure-group", number = 1, kind = name("RRR"), links = name("А"));
-    let position = |range, angular| {
+    let position = |range, kind| {
         let (group_name, index) = (Box::new(group.clone()), Some(3));
         PositionError {
             group: 0,
             group_name,
             index,
             coordinate: 1.0,
-            angular,
+            kind,
             source: gap,
             range,
             elsewhere: range.map(Box::new),
@@ -195,7 +195,9 @@ fn errors_of_groups_positions_and_loads() {
             parallel: None,
         }
     };
-    all.extend([position(None, true), position(Some([0.1, 0.2]), false)].map(|error| error.describe()));
+    use assur_mechanism::CoordinateKind::{Angle, Length, Time};
+    let positions = [(None, Angle), (Some([0.1, 0.2]), Length), (Some([0.0, 2.0]), Time)];
+    all.extend(positions.map(|(range, kind)| position(range, kind).describe()));
     let source = BuildError::new(text!("group-rrr-no-link", link = 1));
     all.push(CompileError::Build { group: Box::new(group.clone()), source, link: None }.describe());
     let load = || name("Б");
@@ -208,7 +210,7 @@ fn errors_of_groups_positions_and_loads() {
         LoadFault::NotFinite(1.0),
         LoadFault::UnlocatedSliding,
         LoadFault::ChangesTooOften { function: function(), column: 7, most: 10 },
-        LoadFault::NoPosition(1.0, Box::new(position(None, true))),
+        LoadFault::NoPosition(1.0, Box::new(position(None, Angle))),
     ];
     all.extend(loads.map(|fault| LoadError { load: load(), fault }.describe()));
     let lines = text!("force-longitudinal-lines-guide", crank = name("А"), third = name("Б"));

@@ -57,7 +57,7 @@ fn analysis(angle: f64) -> Analysis {
         input: InputReport {
             link: Named { id: 1, name: "größe".into() },
             pair: None,
-            angular: true,
+            kind: assur_mechanism::CoordinateKind::Angle,
             balancing_is_moment: true,
         },
         structure: StructureReport {
