@@ -4,6 +4,7 @@ owner-point = point { $name }
 owner-slide = slide { $name }
 owner-pair-on = { $name } on { $link }
 owner-group = group { $number }
+owner-drive = drive { $name }
 owner-load = load { $name }
 
 # Quantities.

@@ -4,6 +4,7 @@ owner-point = точка { $name }
 owner-slide = ползун { $name }
 owner-pair-on = { $name } на { $link }
 owner-group = группа { $number }
+owner-drive = привод { $name }
 owner-load = нагрузка { $name }
 
 # Величины.

@@ -4,6 +4,7 @@ owner-point = точка { $name }
 owner-slide = повзун { $name }
 owner-pair-on = { $name } на { $link }
 owner-group = група { $number }
+owner-drive = привід { $name }
 owner-load = навантаження { $name }
 
 # Величини.

@@ -46,6 +46,7 @@ regime-kinetic-energy = kinetic energy
 regime-energies = energies, J
 motion-loads = moments of the loads on the input
 motion-forces = forces of the loads on the input
+motion-time = time
 motion-coordinate = coordinate
 motion-time = time, s
 regime-against = { $load }, against the motion
@@ -104,6 +105,7 @@ add-drive = This scene has no steady regime of a drive. Add to the scene, for ex
     {"    motor = \"auto\""}
     {"    ratio = \"solve\""}
     {"    flywheel = \"solve\""}
+drive-over-time = This scene moves by laws over time, whatever loads that takes: view 5 has the drives, view 3 their loads. A motor, a regime and a flywheel need one input without a law.
 add-loads = This scene has no loads, so there are no forces. Add to the scene, for example:
 
     {"    [[force]]"}

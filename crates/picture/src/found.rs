@@ -14,6 +14,10 @@ use assur_words::Text;
 
 use crate::{Planner, Series};
 
+/// Over time the content of the motion view, of each drive.
+const OF_DRIVES: [Quantity; 4] =
+    [Quantity::Transfer(0), Quantity::Velocity, Quantity::Acceleration, Quantity::Balancing];
+
 /// The content of the motion view.
 const MOTION: [Quantity; 5] = [
     Quantity::Velocity,
@@ -83,7 +87,14 @@ impl Found {
         gather(&mut series, table, &edges, over);
         mark_rounding(&mut series);
         let reactions = reactions(&series, table);
-        let motion = MOTION.iter().filter_map(|of| index(&series, Column::of(*of, Owner::Input))).collect();
+        let of_input = |of: &Quantity| index(&series, Column::of(*of, Owner::Input));
+        let of_drives = |of: &Quantity| {
+            let drives = 0..analysis.positions.schema().drives.len();
+            drives
+                .filter_map(|drive| index(&series, Column::of(*of, Owner::Drive(drive))))
+                .collect::<Vec<_>>()
+        };
+        let motion = MOTION.iter().filter_map(of_input).chain(OF_DRIVES.iter().flat_map(of_drives)).collect();
         let reach = RefCell::default();
         Ok(Self {
             linkage,

@@ -102,6 +102,7 @@ impl Picture {
             }
             (Self::Motion, None) => return (text!("add-motion"), true),
             (Self::Drive, None) if found.analysis.dynamics.is_some() => text!("drive-no-motor"),
+            (Self::Drive, None) if results.linkage.kind().is_time() => text!("drive-over-time"),
             (Self::Drive, None) => return (text!("add-drive"), true),
             (Self::Forces, None) if has_loads => not_determined(),
             (Self::Plans, None) if has_loads => {

@@ -55,7 +55,7 @@ fn between(calculation: &Calculation, table: &Table, edges: &Edges, of: &Gathere
             let forces: Vec<_> = joint.links[..ends(joint)].iter().map(|link| force(*link)).collect();
             read_range(&|table, row| forces.iter().filter_map(|of| table.get(row, *of)).reduce(f64::max))
         }
-        Gathered::BalancingSize => size(Column::BALANCING),
+        Gathered::BalancingSize(of) => size(*of),
         Gathered::Moment(joint) => size(Column::of(Quantity::Moment, Owner::Pair(joint.id))),
         Gathered::Column(of) | Gathered::Plain(of) => {
             let course = Course::of(table, Some(edges), Column::COORDINATE, *of);

@@ -9,7 +9,7 @@ use assur_kinematics::decompose;
 use assur_mechanism::{Drive, Mechanism, Motion, PairId, Torque};
 use assur_words::{list, name, text};
 
-use crate::measure::{COLUMNS, Find, In, MeasureColumn, Of, PLAIN};
+use crate::measure::{BY_COORDINATE, COLUMNS, Find, In, MeasureColumn, Of, PLAIN};
 use crate::measured::Gathered;
 use crate::reach::Reach;
 use crate::{Measure, SweepError, Target};
@@ -97,7 +97,10 @@ impl Layout {
         let found = || Calculation::of(mechanism.clone(), options, &mut unwatched).ok();
         let results = measures.iter().any(|measure| measure.is_plain).then(found).flatten();
         let results = results.map(|found| found.columns());
-        for measure in measures {
+        // Over time there is no one coordinate by which they would be.
+        let is_timed = mechanism.input.kind().is_time();
+        for measure in measures.iter().filter(|measure| !(is_timed && BY_COORDINATE.contains(&measure.name)))
+        {
             to.whole = measure.whole;
             if measure.is_plain {
                 if let Some(schema) = &results {
@@ -187,7 +190,20 @@ impl<'a> Builder<'a> {
         };
         let whole = |is_there| one(is_there, Column::COORDINATE, Source::Nth(0));
         let least = |what| one(has_groups, Column::COORDINATE, Source::Statistic(what));
-        let balancing = |what| one(self.balances, Column::BALANCING, Source::Statistic(what));
+        // Over time each drive has a load.
+        let drives =
+            (0..self.schema.drives.len()).map(|drive| Column::of(Quantity::Balancing, Owner::Drive(drive)));
+        let balancing = |what: fn(Column) -> Gathered| {
+            let of_drive = |column: Column| Measurand {
+                prefix: format!("{}_", self.schema.name(column.owner)),
+                column,
+                source: Source::Statistic(what(column)),
+            };
+            if self.schema.drives.is_empty() {
+                return one(self.balances, Column::BALANCING, Source::Statistic(what(Column::BALANCING)));
+            }
+            drives.clone().filter(|_| self.balances).map(of_drive).collect()
+        };
         match of {
             Of::Regime => whole(is_steady),
             Of::Flywheel => whole(is_driven(|drive| drive.flywheel.is_some())),
@@ -200,7 +216,7 @@ impl<'a> Builder<'a> {
             Of::Shaking => whole(true),
             Of::Health => least(Gathered::Health),
             Of::Transmission => least(Gathered::Transmission),
-            Of::Balancing => balancing(Gathered::Column(Column::BALANCING)),
+            Of::Balancing => balancing(Gathered::Column),
             Of::BalancingSize => balancing(Gathered::BalancingSize),
             Of::Reactions => self.joints.iter().flat_map(|joint| self.reactions(joint)).collect(),
             Of::Targets => {

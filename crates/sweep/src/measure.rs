@@ -170,6 +170,9 @@ columns! {
     "friction" Friction "dead_angles" In::Coordinate, |found, _| Some(total(&found.friction.as_ref()?.dead_angles));
 }
 
+/// Measures that need one coordinate of the mechanism.
+pub(crate) const BY_COORDINATE: [&str; 2] = ["time-ratio", "pf"];
+
 /// Written where no measures are named.
 const BY_DEFAULT: bool = true;
 const ASKED: bool = false;

@@ -20,7 +20,7 @@ pub(crate) enum Gathered {
     /// A coordinate of a point, the displacement of a slide, the continuous angle of a link, or the balancing load.
     Column(Column),
     /// The magnitude of the balancing load.
-    BalancingSize,
+    BalancingSize(Column),
     /// The greatest force of a pin or slide on one of its links; the statistic at the positions is of its square.
     Force(Joint),
     /// The magnitude of the moment of a slide.

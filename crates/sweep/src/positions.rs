@@ -2,8 +2,8 @@
 
 use assur_analysis::Calculation;
 use assur_analysis::plan::Wanted;
-use assur_analysis::results::{Column, Owner, Part};
-use assur_force::{ForceError, Joint, Kinetostatics, LaneKinetostatics};
+use assur_analysis::results::{Column, Owner, Part, Quantity};
+use assur_force::{ForceError, Joint, Kinetostatics, LaneKinetostatics, Reactions};
 use assur_geometry::{courses, distances};
 use assur_group::plane::{dot, vector};
 use assur_group::{GroupError, Wrench};
@@ -224,8 +224,10 @@ impl<'a> Positions<'a> {
                 std::array::from_fn(|lane| valid[lane] && open.0[lane] == 0.0)
             };
             let (valid, values) = match of {
-                Gathered::Column(Column::BALANCING) => (valid, reactions.balancing),
-                Gathered::BalancingSize => (valid, reactions.balancing.abs()),
+                Gathered::Column(of @ Column { quantity: Quantity::Balancing, .. }) => {
+                    (valid, balancing(reactions, of.owner))
+                }
+                Gathered::BalancingSize(of) => (valid, balancing(reactions, of.owner).abs()),
                 Gathered::Force(joint) => (determined(joint), greatest_square(joint, &reactions.pairs)),
                 Gathered::Moment(joint) => {
                     (determined(joint), joint.moment(&reactions.pairs).unwrap_or(Lanes::ZERO).abs())
@@ -241,13 +243,23 @@ impl<'a> Positions<'a> {
             for (of, statistic) in gathered.iter().zip(&mut *statistics) {
                 match (of, alone) {
                     (Gathered::Column(Column::BALANCING), Some(load)) => statistic.push(first + lane, load),
-                    (Gathered::BalancingSize, Some(load)) => statistic.push(first + lane, load.abs()),
+                    (Gathered::BalancingSize(Column::BALANCING), Some(load)) => {
+                        statistic.push(first + lane, load.abs())
+                    }
                     _ => {}
                 }
             }
             !change_point
         });
         failures
+    }
+}
+
+/// The balancing load, or over time that of a drive.
+fn balancing(reactions: &Reactions<Lanes>, owner: Owner) -> Lanes {
+    match owner {
+        Owner::Drive(drive) => reactions.drives.get(drive).copied().unwrap_or(Lanes::from_f64(f64::NAN)),
+        _ => reactions.balancing,
     }
 }
 

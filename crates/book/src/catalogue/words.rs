@@ -27,6 +27,7 @@ pub fn owner(schema: &Schema, column: Column) -> Text {
         // Results count groups from 0, readers from 1.
         Owner::Group(group) => text!("owner-group", number = group + 1),
         Owner::Load(_) => text!("owner-load", name = own()),
+        Owner::Drive(_) => text!("owner-drive", name = own()),
         _ => own(),
     }
 }
@@ -90,9 +91,25 @@ pub fn short(schema: &Schema, column: Column) -> Text {
         (Quantity::InertiaForce | Quantity::InertiaMoment, _) => {
             spaced([name(own()), kind(column), name(symbol)])
         }
-        (_, Owner::Link(_) | Owner::Point(_) | Owner::Slide(_) | Owner::Pair(_) | Owner::Method(_)) => {
-            dotted(own(), &symbol)
+        (Quantity::Partial { drive, order }, _) => {
+            let primes = "'".repeat(order.into());
+            let by = schema.name(Owner::Drive(drive));
+            let of = if symbol.is_empty() { own() } else { format!("{}.{symbol}", own()) };
+            name(format!("{of}{primes}({by})"))
         }
+        (Quantity::Balancing, Owner::Drive(drive)) => {
+            let turns = schema.drives.get(drive).is_some_and(|(_, is_angle)| *is_angle);
+            name(format!("{}.{}", own(), if turns { "M" } else { "F" }))
+        }
+        (
+            _,
+            Owner::Link(_)
+            | Owner::Point(_)
+            | Owner::Slide(_)
+            | Owner::Pair(_)
+            | Owner::Method(_)
+            | Owner::Drive(_),
+        ) => dotted(own(), &symbol),
         (Quantity::ShakingForce | Quantity::ShakingMoment, _) | (_, Owner::Load(_) | Owner::Group(_)) => {
             spaced([owner(schema, column), kind(column), name(symbol)])
         }

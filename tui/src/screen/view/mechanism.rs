@@ -8,7 +8,7 @@ use assur_mechanism::Motion;
 use assur_picture::curves::in_radians;
 use assur_picture::mechanism::figure;
 use assur_picture::{Arrows, Transfer, missing};
-use assur_words::{self as words, Text, joined, quantity, text};
+use assur_words::{self as words, Text, joined, name, quantity, text};
 use ratatui::layout::{Constraint, Layout, Rect};
 
 use crate::number::digits;
@@ -107,9 +107,12 @@ fn legend(state: &State, figure: &Figure, width: usize) -> Vec<(Role, String)> {
 
 fn input(state: &State, scene: &Scene) -> Vec<Text> {
     let at = state.position;
+    let found = scene.found.as_ref();
+    if scene.linkage.kind().is_time() {
+        return drives(scene, at);
+    }
     let mut lines = vec![text!("panel-coordinate", value = scene.series[0].show(at))];
     let unit = if scene.linkage.kind().is_angle() { "rad/s" } else { "m/s" };
-    let found = scene.found.as_ref();
     // In a steady regime the speed is a result, one for each position.
     let of_input = Column::of(Quantity::Velocity, Owner::Input);
     let own = found.and_then(|found| found.series.iter().find(|series| series.column == of_input));
@@ -120,6 +123,23 @@ fn input(state: &State, scene: &Scene) -> Vec<Text> {
     lines.extend(speed.map(|speed| text!("panel-speed", value = speed)));
     let balancing = found.and_then(|found| found.balancing());
     lines.extend(balancing.map(|series| text!("panel-balance", value = series.show(at))));
+    lines
+}
+
+/// Over time the coordinate of each drive and its load.
+fn drives(scene: &Scene, at: usize) -> Vec<Text> {
+    let mut lines = vec![text!("panel-time", value = scene.series[0].show(at))];
+    let Some(found) = &scene.found else { return lines };
+    for drive in 0..scene.linkage.mechanism.input.drivers.len() {
+        for quantity in [Quantity::Transfer(0), Quantity::Balancing] {
+            let column = Column::of(quantity, Owner::Drive(drive));
+            let series = found.series.iter().find(|series| series.column == column);
+            let row = series.map(|series| {
+                text!("panel-drive", name = name(series.short.clone()), value = series.show(at))
+            });
+            lines.extend(row);
+        }
+    }
     lines
 }
 
