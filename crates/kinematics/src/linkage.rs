@@ -3,7 +3,7 @@
 use std::{f64::consts::TAU, sync::Arc};
 
 use assur_group::{AssurGroup, Body, GroupError, Order};
-use assur_mechanism::{CoordinateKind, GROUND, Mechanism, Name, Slide};
+use assur_mechanism::{CoordinateKind, Driver, GROUND, Mechanism, Name, Slide};
 use assur_number::{Lanes, Real, elementary};
 use assur_structure::Structure;
 
@@ -310,6 +310,19 @@ impl Linkage {
         let mut found = Dependence::of(&self.structure).ancestors(group, |_| false);
         found.push(group);
         found
+    }
+
+    /// Over time, the drives that determine the motion of a group, by their indices; none where the coordinate is that of the only one.
+    pub fn drives_of(&self, group: usize) -> Vec<usize> {
+        let drivers = self.mechanism.input.drivers.iter().enumerate();
+        let ancestors = self.ancestors(group);
+        let carriers: Vec<usize> =
+            ancestors.iter().flat_map(|group| self.structure.groups[*group].frame.carriers()).collect();
+        let moves = |(index, driver): &(usize, &Driver)| {
+            let body = if driver.is_relative() { self.structure.links + index } else { driver.link };
+            driver.law.is_some() && carriers.contains(&body)
+        };
+        drivers.filter(moves).map(|(index, _)| index).collect()
     }
 
     /// Two slides of a link whose guides are parallel wherever it is: between them it is not held.

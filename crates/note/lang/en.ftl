@@ -17,6 +17,7 @@ note-kinematics-text = Positions, transfer functions (first and second derivativ
 note-mechanism-at = The mechanism: { $place }
 note-velocity-plan = Velocity plans: { $place }
 note-acceleration-plan = Acceleration plans: { $place }
+note-course = Place, velocity, acceleration: { $of }
 note-transfer = Transfer functions: { $of }
 note-forces = Forces
 note-forces-text = Reactions are found by the force analyzer { $analyzer }, from the last group back to the input link; inertia loads are added by D'Alembert's principle. In the polygons F are loads, R reactions of the pairs; the dotted line is the reaction within the group.

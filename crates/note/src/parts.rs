@@ -114,7 +114,9 @@ fn kinematics(context: &Context<'_>, page: &mut Document) {
     // The last quantity is that of the last slide, or of the last link: what the mechanism is for.
     let transfer = results.transfers.len().saturating_sub(1);
     let curves = curves::figure(results, &Look { transfer, ..context.first() });
-    let caption = text!("note-transfer", of = &curves.title);
+    let of = &curves.title;
+    let caption =
+        if results.linkage.kind().is_time() { text!("note-course", of) } else { text!("note-transfer", of) };
     page.figure(on_paper(curves), TRANSFER, caption);
 }
 

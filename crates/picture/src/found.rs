@@ -15,8 +15,7 @@ use assur_words::Text;
 use crate::{Planner, Series};
 
 /// Over time the content of the motion view, of each drive.
-const OF_DRIVES: [Quantity; 4] =
-    [Quantity::Transfer(0), Quantity::Velocity, Quantity::Acceleration, Quantity::Balancing];
+const OF_DRIVES: [Quantity; 2] = [Quantity::Transfer(0), Quantity::Balancing];
 
 /// The content of the motion view.
 const MOTION: [Quantity; 5] = [

@@ -116,7 +116,7 @@ pub(crate) fn titled(told: Text, of: Unit) -> Text {
 /// What the scene calls the coordinate.
 pub(crate) fn coordinate_name(linkage: &Linkage) -> Text {
     if linkage.kind().is_time() {
-        return text!("motion-time");
+        return text!("motion-over-time");
     }
     linkage.mechanism.input.name.as_ref().map_or(text!("motion-coordinate"), Text::from)
 }

@@ -203,6 +203,7 @@ head-of = Of
 head-on = On
 head-order = Order
 head-outer = Outer pairs
+head-inputs = Inputs
 head-driven = Driven pairs
 head-overlap = Overlap
 head-pair = Pair

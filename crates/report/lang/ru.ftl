@@ -210,6 +210,7 @@ head-of = Объект
 head-on = На звено
 head-order = Порядок
 head-outer = Внешние пары
+head-inputs = Входы
 head-driven = Ведущие пары
 head-overlap = Перекрытие
 head-pair = Пара

@@ -210,6 +210,7 @@ head-of = Об’єкт
 head-on = На ланку
 head-order = Порядок
 head-outer = Зовнішні пари
+head-inputs = Входи
 head-driven = Ведучі пари
 head-overlap = Перекриття
 head-pair = Пара

@@ -54,6 +54,9 @@ pub struct GroupReport {
     /// Pairs between its links that are driven, so that both links are one of the kind.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub driven: Vec<Named<PairId>>,
+    /// Of several inputs those that determine its motion; empty otherwise.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub inputs: Vec<Name>,
     /// The assembly mode in the first position, counted as the kind documents; `None` where the kind can't list them, or the first
     /// position can't be assembled. Results call it `way`.
     #[serde(rename = "way")]
@@ -136,6 +139,12 @@ fn group(linkage: &Linkage, index: usize, modes: Option<Modes>) -> GroupReport {
         inner: found.frame.inner.iter().map(pair).collect(),
         outer: found.outer().iter().map(pair).collect(),
         driven: found.frame.driven.iter().map(|driven| pair(&driven.pair)).collect(),
+        inputs: linkage
+            .drives_of(index)
+            .into_iter()
+            .filter(|_| mechanism.input.is_list)
+            .map(|drive| mechanism.input.drivers[drive].label.clone())
+            .collect(),
         mode: modes.as_ref().filter(|modes| !modes.all.is_empty()).map(|modes| modes.number(modes.present)),
         mode_count: modes.as_ref().map(|modes| modes.all.len()),
         modes: modes.map(|modes| {

@@ -133,13 +133,18 @@ fn loads_of_drives(source: &Source<'_>, page: &mut Document) {
         return;
     }
     page.heading(text!("report-loads-of-drives"));
-    let load = |owner: &Owner| source.headed(source.name(*owner), Values::of(Quantity::Balancing, *owner));
-    let caption = text!("report-loads-of-drives-table");
-    page.table(Table::over(caption, source.keys(), drives.iter().map(load).collect()));
+    balancing_at_positions(source, page);
 }
 
 /// The balancing load in the shown positions.
 pub fn balancing_at_positions(source: &Source<'_>, page: &mut Document) {
+    if source.kind.is_time() {
+        let drives = source.owners(Quantity::Balancing, |owner| matches!(owner, Owner::Drive(_)));
+        let load =
+            |owner: &Owner| source.headed(source.name(*owner), Values::of(Quantity::Balancing, *owner));
+        let caption = text!("report-loads-of-drives-table");
+        return page.table(Table::over(caption, source.keys(), drives.iter().map(load).collect()));
+    }
     let link = match source.mechanism.balance {
         Some(Balance::Moment(id) | Balance::Force { at: Place { link: id, .. }, .. }) => {
             link_name(source.mechanism, id)

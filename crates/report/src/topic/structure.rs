@@ -116,6 +116,11 @@ fn groups_of(structure: &StructureReport, page: &mut Document) {
     } else {
         table
     };
+    let table = if structure.groups.iter().any(|group| !group.inputs.is_empty()) {
+        table.column(text!("head-inputs"), |(_, group)| list(group.inputs.iter().map(Text::from)))
+    } else {
+        table
+    };
     let table = table
         .column(text!("head-mode"), |(_, group)| group.mode.map(ordinal))
         .column(text!("head-modes"), |(_, group)| group.mode_count.map(number));
