@@ -186,7 +186,9 @@ pub fn missing(results: &Results, look: &Look<'_>) -> Option<Text> {
 /// The mechanism and the vectors that are wanted, in a position or at an instant.
 fn arrows(results: &Results, look: &Look<'_>, number: usize, part: f64) -> Option<(Position, Vec<Arrow>)> {
     let (pose, state) = results.moving(number, part)?;
+    let rests = results.linkage.kind().is_time() && results.linkage.mechanism.motion.is_none();
     let kinds: &[Kind] = match look.arrows {
+        _ if rests => &[],
         Arrows::Velocity => &[Kind::Velocity],
         Arrows::Acceleration => &[Kind::Acceleration],
         Arrows::Both => &[Kind::Velocity, Kind::Acceleration],

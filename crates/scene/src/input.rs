@@ -117,7 +117,10 @@ fn one(
         section.sets(1.0, move |scene, key| scene.input.drivers.get_mut(index)?.law.as_mut()?.number(key));
         from.zip(rate).map(|(from, rate)| TimeLaw::uniform(from, rate))
     };
-    Some(Driver { label, law: Some(given?), ..driven? })
+    // Without a motion nothing moves.
+    let rests = instants.is_some_and(|instants| instants.until <= 0.0);
+    let law = given.map(|law| if rests { TimeLaw::uniform(law.at(0.0)[0], 0.0) } else { law });
+    Some(Driver { label, law: Some(law?), ..driven? })
 }
 
 /// Notes keys that a law over time leaves no place for.
