@@ -327,7 +327,7 @@ fn a_slip_in_the_input_is_caught() {
     ] {
         let mut linkage = compiled(&fixture("shaper"));
         let loads = Loads::compile(&linkage).unwrap();
-        slip(&mut Arc::get_mut(&mut linkage.chain).unwrap().input);
+        slip(&mut Arc::get_mut(&mut linkage.chain).unwrap().inputs[0]);
         let caught = failed(&linkage, &loads, methods(&linkage, None));
         assert!(caught.iter().any(|name| name == "closure PF0"), "{caught:?}");
     }

@@ -82,7 +82,7 @@ fn other_inputs(mechanism: &Mechanism) -> Vec<(LinkId, PointId)> {
         (0..mechanism.points.len()).filter(on).collect::<Vec<_>>()
     };
     let single = |link: LinkId| match pins(link)[..] {
-        [pin] if !slides(link) && link != mechanism.input.link => Some((link, pin)),
+        [pin] if !slides(link) && !mechanism.input.places(link) => Some((link, pin)),
         _ => None,
     };
     (1..mechanism.links.len()).filter_map(single).collect()
@@ -104,7 +104,8 @@ fn driven_from_another_link_the_relative_motion_is_the_same() {
                 continue;
             }
             let mut moved = mechanism.clone();
-            (moved.input.link, moved.input.pair) = (link, InputPair::Pin(pin));
+            let driver_of = &mut moved.input.drivers[0];
+            (driver_of.link, driver_of.pair) = (link, InputPair::Pin(pin));
             moved.input.from = driver.s.atan2(driver.c);
             (moved.input.range, moved.input.positions) = (Range::To(moved.input.from), 1);
             // The groups may be of a class that no plugin solves.

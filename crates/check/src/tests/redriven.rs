@@ -3,7 +3,7 @@
 
 use assur_group::{Body, Order};
 use assur_kinematics::{Linkage, Position};
-use assur_mechanism::{GROUND, Input, InputPair, LinkId, Mechanism, Range};
+use assur_mechanism::{Driver, GROUND, Input, InputPair, LinkId, Mechanism, Range};
 use assur_testkit::specimen::{Recipe, scene_text};
 
 use super::{checks, hold, show};
@@ -39,7 +39,9 @@ fn coordinate(linkage: &Linkage, pose: &Position, (of, on, pair): (LinkId, LinkI
 fn redriven(linkage: &Linkage, pose: &Position, pair: (LinkId, LinkId, InputPair), from: f64) -> Mechanism {
     let mut mechanism = linkage.mechanism.clone();
     let (link, on, pair) = pair;
-    mechanism.input = Input { link, on, pair, from, range: Range::To(from), positions: 1, ..mechanism.input };
+    let label = mechanism.links[link].name.clone();
+    let drivers = vec![Driver { link, on, pair, label, law: None }];
+    mechanism.input = Input { drivers, from, range: Range::To(from), positions: 1, ..mechanism.input };
     let points = 0..mechanism.points.len();
     mechanism.assembly = points.map(|point| (point, linkage.point_motion(point, pose).pf0)).collect();
     // Formulas over the coordinate would mean another one.

@@ -6,7 +6,7 @@ use std::ops::ControlFlow;
 
 use assur_force::{LoadState, Loads};
 use assur_kinematics::Linkage;
-use assur_mechanism::{Balance, InputPair, LawTable, LoadKind, Mechanism, Value};
+use assur_mechanism::{Balance, LawTable, LoadKind, Mechanism, Value};
 use assur_testkit::specimen::Recipe;
 use assur_words::Text;
 
@@ -117,7 +117,7 @@ fn limits_are_the_same_in_all_units() {
         let number = usize::try_from(seed).unwrap();
         let mechanism = Recipe::of(1 + number % 5).specimen(seed).unwrap().mechanism;
         // A coordinate that is a length has tolerances in meters.
-        if !matches!(mechanism.input.pair, InputPair::Pin(_)) {
+        if !mechanism.input.is_angle() {
             continue;
         }
         let here = found(mechanism.clone());
