@@ -6,7 +6,7 @@ use assur_group::{GroupPlugin, Order, groups};
 use assur_kinematics::Linkage;
 use assur_mechanism::{Driver, GROUND, Input, InputPair, Mechanism, Range, Sense};
 
-use super::draft::Draft;
+use super::draft::{Draft, Drive};
 
 /// The parameters of a specimen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -33,10 +33,10 @@ pub struct Specimen {
 }
 
 /// Positions with a smaller determinant are not used.
-const LEAST_HEALTH: f64 = 0.05;
+pub(super) const LEAST_HEALTH: f64 = 0.05;
 
 /// Greatest number of constructions for one seed.
-const TRIES: u64 = 400;
+pub(super) const TRIES: u64 = 400;
 
 /// Number of positions of a range, and of a cycle.
 const POSITIONS: [usize; 2] = [5, 12];
@@ -78,20 +78,25 @@ impl Recipe {
         (0..TRIES).find_map(attempt)
     }
 
+    /// Adds a group of one of these kinds; its name.
+    pub(super) fn group(draft: &mut Draft, registered: &[&'static GroupPlugin]) -> Option<&'static str> {
+        let kind = registered.get(draft.rng.below(registered.len()))?;
+        let pattern = kind.pattern?;
+        let bodies = earlier_bodies(draft, pattern.outer.len());
+        draft.group(&pattern, &bodies)?;
+        Some(kind.name)
+    }
+
     fn attempt(&self, seed: u64, registered: &[&'static GroupPlugin]) -> Option<Specimen> {
         let mut draft = Draft::new(seed);
         let sliding = draft.rng.chance(0.25);
-        let (pair, from) = draft.input(sliding);
+        let drive = draft.driven(GROUND, sliding);
         let mut kinds = Vec::new();
         for _ in 0..self.groups {
-            let kind = registered.get(draft.rng.below(registered.len()))?;
-            let pattern = kind.pattern?;
-            let bodies = earlier_bodies(&mut draft, pattern.outer.len());
-            draft.group(&pattern, &bodies)?;
-            kinds.push(kind.name);
+            kinds.push(Self::group(&mut draft, registered)?);
         }
         let poses = draft.poses.iter().map(|pose| [pose.x, pose.y, pose.angle]).collect();
-        let mechanism = mechanism_of(&mut draft, pair, from);
+        let mechanism = mechanism_of(&mut draft, &[drive]);
         let (mut mechanism, health) = with_range(&mut draft, mechanism)?;
         if self.loads {
             super::loads::add(&mut draft, &mut mechanism);
@@ -100,7 +105,7 @@ impl Recipe {
     }
 }
 
-fn is_dyad(kind: &GroupPlugin) -> bool {
+pub(super) fn is_dyad(kind: &GroupPlugin) -> bool {
     kind.pattern.is_some_and(|pattern| pattern.links == 2)
 }
 
@@ -122,31 +127,27 @@ fn earlier_bodies(draft: &mut Draft, wanted: usize) -> Vec<usize> {
 }
 
 /// The parts of the mechanism in the order in which a reader of the scene meets them.
-fn mechanism_of(draft: &mut Draft, pair: InputPair, from: f64) -> Mechanism {
+pub(super) fn mechanism_of(draft: &mut Draft, drives: &[Drive]) -> Mechanism {
     let mut order: Vec<usize> = (0..draft.points.len()).collect();
     draft.points.iter_mut().for_each(|point| point.places.sort_by_key(|place| place.link));
     order.sort_by_key(|&id| (draft.points[id].places[0].link, id));
     let points: Vec<_> = order.iter().map(|&id| draft.points[id].clone()).collect();
     draft.points.clone_from(&points);
-    let pair = match pair {
-        InputPair::Pin(old) => InputPair::Pin(order.iter().position(|&id| id == old).unwrap_or(0)),
-        slide @ InputPair::Slide(_) => slide,
+    let driver = |drive: &Drive| {
+        let pair = match drive.pair {
+            InputPair::Pin(old) => InputPair::Pin(order.iter().position(|&id| id == old).unwrap_or(0)),
+            slide @ InputPair::Slide(_) => slide,
+        };
+        let label = draft.links[drive.link].name.clone();
+        Driver { link: drive.link, on: drive.on, pair, label, law: None }
     };
+    let drivers: Vec<_> = drives.iter().map(driver).collect();
     let moving = |point: &&usize| points[**point].places[0].link != GROUND;
     let assembly = (0..points.len()).collect::<Vec<_>>();
     let assembly = assembly.iter().filter(moving).map(|&id| (id, draft.world_of(id))).collect();
+    let from = drives.first().map_or(0.0, |drive| drive.from);
     let (positions, range) = (POSITIONS[0], Range::To(from));
-    let label = draft.links[1].name.clone();
-    let driver = Driver { link: 1, on: GROUND, pair, label, law: None };
-    let input = Input {
-        drivers: vec![driver],
-        is_list: false,
-        name: None,
-        from,
-        positions,
-        range,
-        direction: Sense::Ccw,
-    };
+    let input = Input { drivers, is_list: false, name: None, from, positions, range, direction: Sense::Ccw };
     Mechanism {
         title: "Specimen".to_owned(),
         links: draft.links.clone(),
@@ -189,7 +190,7 @@ fn with_range(draft: &mut Draft, mut mechanism: Mechanism) -> Option<(Mechanism,
 
 /// Smallest determinant over `finer` times as many positions, which shows singular positions between the others
 /// (guides that become parallel would let links run to infinity); 0 if a position can't be solved.
-fn health(linkage: &Linkage, input: &Input, finer: usize) -> f64 {
+pub(super) fn health(linkage: &Linkage, input: &Input, finer: usize) -> f64 {
     let mut position = linkage.position();
     let input = Input { positions: finer * input.positions, ..input.clone() };
     let mut least = f64::INFINITY;
