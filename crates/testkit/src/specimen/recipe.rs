@@ -44,7 +44,7 @@ const POSITIONS: [usize; 2] = [5, 12];
 /// Names of the registered kinds of groups that have a pattern, for [`Recipe::only`]; empty if the registry is faulty.
 pub fn kinds() -> Vec<&'static str> {
     let all = groups().unwrap_or_default();
-    all.iter().filter(|kind| kind.pattern.is_some()).map(|kind| kind.name).collect()
+    all.iter().filter(|kind| has_links(kind)).map(|kind| kind.name).collect()
 }
 
 impl Recipe {
@@ -63,14 +63,19 @@ impl Recipe {
 
     /// The same with groups of all kinds that have a pattern; about one in two is a dyad.
     pub fn mixed(&self, seed: u64) -> Option<Specimen> {
+        self.of_kinds(seed, &Self::mixed_kinds()?)
+    }
+
+    /// All kinds that have a pattern; about one in two is a dyad.
+    pub(super) fn mixed_kinds() -> Option<Vec<&'static GroupPlugin>> {
         let mut kinds = groups().ok()?;
-        kinds.retain(|kind| kind.pattern.is_some());
+        kinds.retain(|kind| has_links(kind));
         let dyads: Vec<_> = kinds.iter().copied().filter(|kind| is_dyad(kind)).collect();
         let others = kinds.len() - dyads.len();
         for _ in 1..others / dyads.len().max(1) {
             kinds.extend(&dyads);
         }
-        self.of_kinds(seed, &kinds)
+        Some(kinds)
     }
 
     fn of_kinds(&self, seed: u64, kinds: &[&'static GroupPlugin]) -> Option<Specimen> {
@@ -105,7 +110,12 @@ impl Recipe {
     }
 }
 
-pub(super) fn is_dyad(kind: &GroupPlugin) -> bool {
+/// Whether a kind has a pattern with links that it places; where all links are driven there is nothing to draw.
+fn has_links(kind: &GroupPlugin) -> bool {
+    kind.pattern.is_some_and(|pattern| pattern.links > 0)
+}
+
+fn is_dyad(kind: &GroupPlugin) -> bool {
     kind.pattern.is_some_and(|pattern| pattern.links == 2)
 }
 

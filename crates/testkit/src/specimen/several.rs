@@ -1,21 +1,22 @@
 //! Mechanisms with several drives over time.
 
-use assur_group::{GroupPlugin, groups};
+use assur_group::GroupPlugin;
 use assur_kinematics::Linkage;
 use assur_mechanism::{GROUND, Mechanism, Motion, Range, TimeLaw};
 
 use super::draft::{Draft, Drive};
-use super::recipe::{LEAST_HEALTH, Recipe, TRIES, health, is_dyad, mechanism_of};
+use super::recipe::{LEAST_HEALTH, Recipe, TRIES, health, mechanism_of};
 
 /// Number of instants.
 const INSTANTS: usize = 4;
 
 impl Recipe {
     /// Constructs a mechanism with so many drives, in pins and slides against the ground and between moving links, whose coordinates
-    /// grow evenly in time; the same for the same seed. `None` if none of many constructions stayed away from singular positions.
+    /// grow evenly in time; the same for the same seed. Groups are as in [`mixed`](Self::mixed), or of the only kind. `None` if none of
+    /// many constructions stayed away from singular positions.
     pub fn several(&self, seed: u64, drives: usize) -> Option<Mechanism> {
-        let mut kinds = groups().ok()?;
-        kinds.retain(|kind| self.only.map_or_else(|| is_dyad(kind), |only| only == kind.name));
+        let mut kinds = Self::mixed_kinds()?;
+        kinds.retain(|kind| self.only.is_none_or(|only| only == kind.name));
         let attempt = |attempt| self.driven(seed.wrapping_mul(TRIES).wrapping_add(attempt), drives, &kinds);
         (0..TRIES).find_map(attempt)
     }
