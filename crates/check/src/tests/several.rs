@@ -11,7 +11,11 @@ use assur_testkit::specimen::{Recipe, Rng, scene_text};
 use nalgebra::DVector;
 
 use super::{checks, hold, show};
-use crate::methods;
+use crate::case::Case;
+use crate::check::Collector;
+use crate::forces::CHECKS;
+use crate::written::{Writer, given as given_loads};
+use crate::{Chosen, Subject, equilibrium, methods, power};
 use whole::{Law, Poses, Whole};
 
 /// Random mechanisms that are compared.
@@ -173,4 +177,68 @@ fn every_check_holds_with_several_drives() {
     assert_eq!(checked, MECHANISMS);
     // Where nothing heavy moves, there is no inertia to check.
     assert!(complete > MECHANISMS / 10 * 9, "{complete}");
+}
+
+/// The checks of powers and of equilibrium at an instant that fail where the load of a drive is wrong by a part of its size; `None` where
+/// it is zero.
+fn failed_with(linkage: &Linkage, loads: &Loads, (drive, part): (usize, f64)) -> Option<Vec<String>> {
+    let state = LoadState::prescribed(&linkage.mechanism, linkage.mechanism.input.coordinate(1));
+    let (all, given) = (Chosen::all(1), |_| Some(state));
+    let subject = Subject {
+        linkage,
+        loads: Some(loads),
+        positions: all.clone(),
+        states: all,
+        state: &given,
+        drive: None,
+        methods: methods(linkage, None),
+    };
+    let one = &subject.solve(1, state.coordinate).unwrap();
+    let given = given_loads(loads, &state, &one.position.bodies);
+    let items = &Writer::new(&subject).items(&given, &state, &one.position.bodies);
+    let mut wrong = subject.answer(&subject.methods[0], loads, &state, &one.position, 1.0).unwrap();
+    if wrong.drives[drive].abs() < 1e-9 {
+        return None;
+    }
+    wrong.drives[drive] *= 1.0 + part;
+    let joints = assur_force::joints(&linkage.mechanism, &linkage.structure);
+    let joints = joints.iter().map(|joint| joint.reaction(&wrong.pairs)).collect();
+    let answers = &[Some(wrong.clone())];
+    let case = Case {
+        subject: &subject,
+        loads,
+        one,
+        state: &state,
+        items,
+        answers,
+        full: 0,
+        reactions: &wrong,
+        joints,
+    };
+    let mut collectors = CHECKS.map(|(name, reason)| Collector::new(name, reason));
+    let [_, links, joints, guides, _, reduced, lagrange, powers, drive, _] = &mut collectors;
+    equilibrium::compare(&case, [links, joints, guides]);
+    power::compare(&case, [reduced, lagrange, powers, drive]);
+    let found = collectors.into_iter().filter_map(Collector::into_check);
+    Some(found.filter(|check| check.finding.failed()).map(|check| check.name.to_string()).collect())
+}
+
+#[test]
+fn a_wrong_load_of_any_drive_is_caught_by_power_and_by_equilibrium() {
+    let mut planted = 0;
+    for (seed, (text, linkage, _)) in scenes().take(60) {
+        let loads = Loads::compile(&linkage).unwrap();
+        for drive in 0..linkage.mechanism.input.drivers.len() {
+            let Some(sound) = failed_with(&linkage, &loads, (drive, 0.0)) else { continue };
+            assert_eq!(sound, [""; 0], "seed {seed}\n{text}");
+            let caught = failed_with(&linkage, &loads, (drive, 1e-6)).unwrap();
+            assert_eq!(
+                caught,
+                ["equilibrium of links", "virtual power"],
+                "seed {seed}, drive {drive}\n{text}"
+            );
+            planted += 1;
+        }
+    }
+    assert!(planted > 120, "{planted}");
 }
