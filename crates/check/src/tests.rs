@@ -14,6 +14,7 @@ mod mutations;
 mod near;
 mod random;
 mod redriven;
+mod several;
 mod singular;
 mod switches;
 mod twice;

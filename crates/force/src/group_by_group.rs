@@ -2,7 +2,7 @@
 
 use assur_group::{AssurGroup, Body, GroupError, Number, Pair, PairGeometry, Wrench, plane};
 use assur_kinematics::Linkage;
-use assur_mechanism::{Driver, Mechanism};
+use assur_mechanism::{Driver, GROUND, Mechanism};
 use assur_number::Real;
 use assur_structure::NamedPair;
 
@@ -164,8 +164,8 @@ pub fn rate<T: Real>(pair: &Pair, bodies: &[Body<T>]) -> T {
     }
 }
 
-/// The load of each drive over time from the reactions in all pairs, by the equilibrium of the link that it drives: a moment (N m), or
-/// a force along the guide (N). `loads`: on each body, about the origin of its frame, without reactions.
+/// The load of each drive over time from the reactions in all pairs, by the equilibrium of links: a moment (N m), or a force along the
+/// guide (N). `loads`: on each body, about the origin of its frame, without reactions.
 pub fn drives<T: Real>(
     linkage: &Linkage,
     bodies: &[Body<T>],
@@ -176,10 +176,10 @@ pub fn drives<T: Real>(
     let (mechanism, pairs) = (&linkage.mechanism, &linkage.structure.pairs);
     let drivers = &mechanism.input.drivers;
     out.clear();
-    out.resize(drivers.len(), T::ZERO);
-    // A drive may act on a link that is driven itself: as many passes reach all.
-    for id in (0..drivers.len()).flat_map(|_| 0..drivers.len()) {
-        let (link, mut sum) = (drivers[id].link, loads[drivers[id].link]);
+    out.resize(drivers.len(), T::from_f64(f64::NAN));
+    let mut open: Vec<usize> = (0..drivers.len()).collect();
+    while let Some((id, link)) = last_on_a_link(drivers, &open) {
+        let mut sum = loads[link];
         let mut add = |pair: &Pair, wrench: &Wrench<T>| {
             let sign = if pair.a == link { T::ONE } else { -T::ONE };
             let arm = plane::minus(place_of(pair, bodies), bodies[link].origin());
@@ -193,11 +193,22 @@ pub fn drives<T: Real>(
             add(pair, &on_first(mechanism, driver, pair, bodies, out[other]));
         }
         let own = plane::minus(place_of(&pairs[id].pair, bodies), bodies[link].origin());
-        out[id] = match drive_direction(mechanism, &drivers[id], bodies) {
-            Some(along) => -plane::dot(sum.force(), along),
-            None => -sum.about(own),
+        let load = match drive_direction(mechanism, &drivers[id], bodies) {
+            Some(along) => plane::dot(sum.force(), along),
+            None => sum.about(own),
         };
+        out[id] = if link == drivers[id].link { -load } else { load };
+        open.retain(|other| *other != id);
     }
+}
+
+/// A drive whose load is not known yet, with a moving link on which it is the only such one. Drives that are independent make no loop,
+/// so there is one until all are known.
+fn last_on_a_link(drivers: &[Driver], open: &[usize]) -> Option<(usize, usize)> {
+    let on =
+        |link: usize| open.iter().filter(move |id| [drivers[**id].link, drivers[**id].on].contains(&link));
+    let ends = open.iter().flat_map(|id| [(*id, drivers[*id].link), (*id, drivers[*id].on)]);
+    ends.into_iter().find(|(_, link)| *link != GROUND && on(*link).count() == 1)
 }
 
 /// What a drive of this load exerts on the first body of its pair.

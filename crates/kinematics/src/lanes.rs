@@ -92,9 +92,9 @@ impl Linkage {
                 let time = position.coordinates.0[lane];
                 let mut bodies: Vec<_> = position.bodies.iter().map(|body| body.lane(lane)).collect();
                 if self.derive_by(drive, time, &mut bodies).is_err() {
-                    bodies
-                        .iter_mut()
-                        .for_each(|body| (body.w1, body.x1, body.y1) = (f64::NAN, f64::NAN, f64::NAN));
+                    for body in &mut bodies {
+                        (body.w1, body.x1, body.y1) = (f64::NAN, f64::NAN, f64::NAN);
+                    }
                 }
                 all.iter_mut().zip(&bodies).for_each(|(all, one)| all.set_lane(lane, one));
             }

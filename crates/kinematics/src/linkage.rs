@@ -46,6 +46,8 @@ pub struct Linkage {
     pub(crate) guesses: Option<Guesses>,
     /// How much each passive part misses over the cycle; empty without any.
     pub misfits: Vec<Misfit>,
+    /// Unit of the coordinate: of laws over time it takes a sum over the motion.
+    unit: f64,
 }
 
 /// Pose and derivatives of all links at one coordinate: the scratch of [`Linkage::solve`].
@@ -92,6 +94,7 @@ impl Linkage {
         let is_lost = followed.range.is_none();
         let elsewhere = is_lost.then(|| elsewhere(&mechanism, &structure, &chain)).flatten();
         let mut linkage = Self {
+            unit: coordinate_unit(&mechanism, &structure),
             mechanism,
             structure,
             chain: Arc::new(chain),
@@ -148,7 +151,7 @@ impl Linkage {
     /// Unit of the coordinate for steps and tolerances: 1 rad, the typical length of the mechanism in m, or the time in
     /// which a drive moves by that.
     pub fn coordinate_unit(&self) -> f64 {
-        coordinate_unit(&self.mechanism, &self.structure)
+        self.unit
     }
 
     /// Solves all links at one coordinate.

@@ -12,7 +12,7 @@ mod least_norm;
 mod system;
 
 use assur_force::{AnalyzerPlugin, ForceAnalyzer, ForceError, Reactions, joints};
-use assur_group::{Order, Wrench};
+use assur_group::{Order, Pair, Wrench};
 use assur_kinematics::{Linkage, Position};
 use assur_mechanism::PairId;
 use assur_words::{Text, text};
@@ -115,24 +115,40 @@ fn determined_friction(linkage: &Linkage, system: &System<'_>) -> Result<(), Tex
 
 /// Converts the forces on the links of each pin to the forces in pairs.
 ///
-/// The pairs of a pin make a tree; what a pair carries is the force on its body `a` and on all bodies further out in the tree.
+/// The pairs of a pin make a tree; what a pair carries is the force on its body `a` and on all bodies on that side of it.
 fn to_pairs(linkage: &Linkage, system: &System<'_>, solution: &Solution, pairs: &mut [Wrench<f64>]) {
     let named = &linkage.structure.pairs;
-    let mut of_pin: Vec<Vec<usize>> = vec![Vec::new(); linkage.mechanism.points.len()];
-    for (id, one) in named.iter().enumerate().rev() {
-        pairs[id] = match one.source {
+    let mut of_pin: Vec<Vec<&Pair>> = vec![Vec::new(); linkage.mechanism.points.len()];
+    for one in named {
+        if let PairId::Pin(point) = one.source {
+            of_pin[point].push(&one.pair);
+        }
+    }
+    for (one, wrench) in named.iter().zip(pairs) {
+        *wrench = match one.source {
             PairId::Slide(slide) => solution.slides[slide],
             PairId::Pin(point) => {
-                let mut force = system.force_on(solution, point, one.pair.a);
-                for &further in of_pin[point].iter().filter(|other| named[**other].pair.b == one.pair.a) {
-                    force[0] += pairs[further].fx;
-                    force[1] += pairs[further].fy;
-                }
-                of_pin[point].push(id);
-                Wrench { fx: force[0], fy: force[1], m: 0.0 }
+                let forces = beyond(&one.pair, &of_pin[point]).into_iter();
+                let forces = forces.map(|link| system.force_on(solution, point, link));
+                let [fx, fy] = forces.fold([0.0; 2], |sum, force| [sum[0] + force[0], sum[1] + force[1]]);
+                Wrench { fx, fy, m: 0.0 }
             }
         };
     }
+}
+
+/// The bodies that a pair joins to its body `b`: `a`, and those that other pairs of the pin join to it.
+fn beyond(pair: &Pair, of_pin: &[&Pair]) -> Vec<usize> {
+    let mut found = vec![pair.a];
+    let mut next = 0;
+    while let Some(body) = found.get(next).copied() {
+        let others = of_pin.iter().filter(|other| other.id != pair.id && other.joins(body));
+        let others: Vec<usize> =
+            others.map(|other| if other.a == body { other.b } else { other.a }).collect();
+        found.extend(others.into_iter().filter(|other| !found.contains(other)).collect::<Vec<_>>());
+        next += 1;
+    }
+    found
 }
 
 #[cfg(test)]

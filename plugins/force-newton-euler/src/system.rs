@@ -319,7 +319,9 @@ fn from_the_ends(mechanism: &Mechanism) -> Vec<PairId> {
     let mut is_met = vec![false; mechanism.links.len()];
     is_met[GROUND] = true;
     let inputs: VecDeque<LinkId> = mechanism.input.drivers.iter().map(|driver| driver.link).collect();
-    inputs.iter().for_each(|input| is_met[*input] = true);
+    for input in &inputs {
+        is_met[*input] = true;
+    }
     let mut is_taken = vec![false; pairs.len()];
     let (mut found, mut queue) = (Vec::with_capacity(pairs.len()), inputs);
     while let Some(link) = queue.pop_front() {

@@ -20,6 +20,17 @@ pub(crate) struct Draft {
     pub(crate) slides: Vec<Slide>,
 }
 
+/// What is driven, and its coordinate in the first position.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Drive {
+    pub(crate) link: LinkId,
+    /// The body against which it is driven.
+    pub(crate) on: LinkId,
+    pub(crate) pair: InputPair,
+    /// The coordinate, rad or m.
+    pub(crate) from: f64,
+}
+
 /// The same angle in [-pi, pi].
 pub(crate) fn normalized(angle: f64) -> f64 {
     angle - TAU * (angle / TAU).round()
@@ -122,21 +133,52 @@ const LEAST_REGULARITY: f64 = 0.05;
 const TRIES: usize = 60;
 
 impl Draft {
-    /// Adds the input link, pinned or sliding on the ground; its pair and the coordinate of the first position.
-    pub(crate) fn input(&mut self, sliding: bool) -> (InputPair, f64) {
+    /// Adds a link that is driven against an earlier body, in a pin or a slide.
+    pub(crate) fn driven(&mut self, on: LinkId, sliding: bool) -> Drive {
         let link = self.link();
+        self.join_driven(link, on, sliding)
+    }
+
+    /// Joins two links by a driven pin or slide.
+    fn join_driven(&mut self, link: LinkId, on: LinkId, sliding: bool) -> Drive {
         if sliding {
             let direction = self.rng.angle();
-            let slide = self.slide(link, GROUND, direction);
+            let slide = self.slide(link, on, direction);
             let found = &self.slides[slide];
-            let start = self.poses[link].world(found.point);
+            let (link, on) = (found.link, found.on);
+            let start = self.poses[on].local(self.poses[link].world(found.point));
             let (s, c) = found.angle.sin_cos();
-            let way = c * (start[0] - found.through[0]) + s * (start[1] - found.through[1]);
-            return (InputPair::Slide(slide), way);
+            let from = c * (start[0] - found.through[0]) + s * (start[1] - found.through[1]);
+            return Drive { link, on, pair: InputPair::Slide(slide), from };
         }
         // The origin of a crank's frame is usually, but not always, in the pin.
         let world = if self.rng.chance(0.6) { self.poses[link].world([0.0; 2]) } else { self.place() };
-        (InputPair::Pin(self.pin(link, GROUND, world)), self.poses[link].angle)
+        let pair = InputPair::Pin(self.pin(link, on, world));
+        Drive { link, on, pair, from: self.poses[link].angle - self.poses[on].angle }
+    }
+
+    /// Makes two links of one that has two pins and no slides, and drives them against each other, as a cylinder or an elbow; `None` if
+    /// there is no such link.
+    pub(crate) fn part(&mut self, drives: &[Drive], sliding: bool) -> Option<Drive> {
+        let slides = |link: LinkId| self.slides.iter().any(|slide| [slide.link, slide.on].contains(&link));
+        let pins = |link: LinkId| -> Vec<PointId> {
+            let all = 0..self.points.len();
+            all.filter(|id| self.points[*id].is_pin() && self.holds(*id, link)).collect()
+        };
+        let is_driven = |pin: PointId| drives.iter().any(|drive| drive.pair == InputPair::Pin(pin));
+        let ends = (1..self.links.len()).filter_map(|link| match pins(link)[..] {
+            [one, other] if !slides(link) => {
+                [one, other].into_iter().find(|pin| !is_driven(*pin)).map(|pin| (link, pin))
+            }
+            _ => None,
+        });
+        let ends: Vec<_> = ends.collect();
+        let (link, pin) = *ends.get(self.rng.below(ends.len()))?;
+        let (new, world) = (self.link(), self.world_of(pin));
+        let at = self.poses[new].local(world);
+        let place = self.points[pin].places.iter_mut().find(|place| place.link == link)?;
+        *place = Place { link: new, at };
+        Some(self.join_driven(new, link, sliding))
     }
 
     /// Adds a group of this pattern on these earlier bodies, one for each outer pair; `None` if no arrangement of its

@@ -53,6 +53,28 @@ pub(crate) fn add(draft: &mut Draft, mechanism: &mut Mechanism) {
     varying_inertias(draft, mechanism);
 }
 
+/// Loads that neither depend on a coordinate nor on the time: weights, forces, moments, springs with dampers.
+pub(crate) fn add_over_time(draft: &mut Draft, mechanism: &mut Mechanism) {
+    mechanism.gravity = draft.rng.chance(0.8).then_some([0.7, -9.81]);
+    for index in 0..draft.rng.below(3) {
+        let link = moving(draft, mechanism);
+        let at = place_on(draft, link);
+        let direction = match draft.rng.below(3) {
+            0 => Direction::AgainstMotion,
+            1 => Direction::Link(draft.rng.angle()),
+            _ => Direction::Ground(draft.rng.angle()),
+        };
+        let value = Value::Constant(draft.rng.signed(5.0, 120.0));
+        mechanism.loads.push(Load::new(format!("force {index}"), Force { at, direction, value }));
+    }
+    if draft.rng.chance(0.6) {
+        let (link, value) = (moving(draft, mechanism), draft.rng.signed(5.0, 120.0) * draft.size);
+        mechanism.loads.push(Load::new("moment", Moment { link, value: Value::Constant(value) }));
+    }
+    let spring = spring(draft, mechanism).filter(|_| draft.rng.chance(0.5));
+    mechanism.loads.extend(spring.map(|spring| Load::new("spring", spring)));
+}
+
 /// The moments of inertia of some links that are pinned to the ground vary with the coordinate.
 fn varying_inertias(draft: &mut Draft, mechanism: &mut Mechanism) {
     let is_pinned = |link: LinkId| {

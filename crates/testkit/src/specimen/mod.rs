@@ -8,6 +8,7 @@ mod draft;
 mod formula;
 mod loads;
 mod recipe;
+mod several;
 mod write;
 
 pub use crate::Rng;

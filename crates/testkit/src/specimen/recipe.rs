@@ -6,7 +6,7 @@ use assur_group::{GroupPlugin, Order, groups};
 use assur_kinematics::Linkage;
 use assur_mechanism::{Driver, GROUND, Input, InputPair, Mechanism, Range, Sense};
 
-use super::draft::Draft;
+use super::draft::{Draft, Drive};
 
 /// The parameters of a specimen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -33,10 +33,10 @@ pub struct Specimen {
 }
 
 /// Positions with a smaller determinant are not used.
-const LEAST_HEALTH: f64 = 0.05;
+pub(super) const LEAST_HEALTH: f64 = 0.05;
 
 /// Greatest number of constructions for one seed.
-const TRIES: u64 = 400;
+pub(super) const TRIES: u64 = 400;
 
 /// Number of positions of a range, and of a cycle.
 const POSITIONS: [usize; 2] = [5, 12];
@@ -44,7 +44,7 @@ const POSITIONS: [usize; 2] = [5, 12];
 /// Names of the registered kinds of groups that have a pattern, for [`Recipe::only`]; empty if the registry is faulty.
 pub fn kinds() -> Vec<&'static str> {
     let all = groups().unwrap_or_default();
-    all.iter().filter(|kind| kind.pattern.is_some()).map(|kind| kind.name).collect()
+    all.iter().filter(|kind| has_links(kind)).map(|kind| kind.name).collect()
 }
 
 impl Recipe {
@@ -63,14 +63,19 @@ impl Recipe {
 
     /// The same with groups of all kinds that have a pattern; about one in two is a dyad.
     pub fn mixed(&self, seed: u64) -> Option<Specimen> {
+        self.of_kinds(seed, &Self::mixed_kinds()?)
+    }
+
+    /// All kinds that have a pattern; about one in two is a dyad.
+    pub(super) fn mixed_kinds() -> Option<Vec<&'static GroupPlugin>> {
         let mut kinds = groups().ok()?;
-        kinds.retain(|kind| kind.pattern.is_some());
+        kinds.retain(|kind| has_links(kind));
         let dyads: Vec<_> = kinds.iter().copied().filter(|kind| is_dyad(kind)).collect();
         let others = kinds.len() - dyads.len();
         for _ in 1..others / dyads.len().max(1) {
             kinds.extend(&dyads);
         }
-        self.of_kinds(seed, &kinds)
+        Some(kinds)
     }
 
     fn of_kinds(&self, seed: u64, kinds: &[&'static GroupPlugin]) -> Option<Specimen> {
@@ -78,26 +83,36 @@ impl Recipe {
         (0..TRIES).find_map(attempt)
     }
 
+    /// Adds a group of one of these kinds; its name.
+    pub(super) fn group(draft: &mut Draft, registered: &[&'static GroupPlugin]) -> Option<&'static str> {
+        let kind = registered.get(draft.rng.below(registered.len()))?;
+        let pattern = kind.pattern?;
+        let bodies = earlier_bodies(draft, pattern.outer.len());
+        draft.group(&pattern, &bodies)?;
+        Some(kind.name)
+    }
+
     fn attempt(&self, seed: u64, registered: &[&'static GroupPlugin]) -> Option<Specimen> {
         let mut draft = Draft::new(seed);
         let sliding = draft.rng.chance(0.25);
-        let (pair, from) = draft.input(sliding);
+        let drive = draft.driven(GROUND, sliding);
         let mut kinds = Vec::new();
         for _ in 0..self.groups {
-            let kind = registered.get(draft.rng.below(registered.len()))?;
-            let pattern = kind.pattern?;
-            let bodies = earlier_bodies(&mut draft, pattern.outer.len());
-            draft.group(&pattern, &bodies)?;
-            kinds.push(kind.name);
+            kinds.push(Self::group(&mut draft, registered)?);
         }
         let poses = draft.poses.iter().map(|pose| [pose.x, pose.y, pose.angle]).collect();
-        let mechanism = mechanism_of(&mut draft, pair, from);
+        let mechanism = mechanism_of(&mut draft, &[drive]);
         let (mut mechanism, health) = with_range(&mut draft, mechanism)?;
         if self.loads {
             super::loads::add(&mut draft, &mut mechanism);
         }
         Some(Specimen { mechanism, poses, kinds, health })
     }
+}
+
+/// Whether a kind has a pattern with links that it places; where all links are driven there is nothing to draw.
+fn has_links(kind: &GroupPlugin) -> bool {
+    kind.pattern.is_some_and(|pattern| pattern.links > 0)
 }
 
 fn is_dyad(kind: &GroupPlugin) -> bool {
@@ -122,31 +137,27 @@ fn earlier_bodies(draft: &mut Draft, wanted: usize) -> Vec<usize> {
 }
 
 /// The parts of the mechanism in the order in which a reader of the scene meets them.
-fn mechanism_of(draft: &mut Draft, pair: InputPair, from: f64) -> Mechanism {
+pub(super) fn mechanism_of(draft: &mut Draft, drives: &[Drive]) -> Mechanism {
     let mut order: Vec<usize> = (0..draft.points.len()).collect();
     draft.points.iter_mut().for_each(|point| point.places.sort_by_key(|place| place.link));
     order.sort_by_key(|&id| (draft.points[id].places[0].link, id));
     let points: Vec<_> = order.iter().map(|&id| draft.points[id].clone()).collect();
     draft.points.clone_from(&points);
-    let pair = match pair {
-        InputPair::Pin(old) => InputPair::Pin(order.iter().position(|&id| id == old).unwrap_or(0)),
-        slide @ InputPair::Slide(_) => slide,
+    let driver = |drive: &Drive| {
+        let pair = match drive.pair {
+            InputPair::Pin(old) => InputPair::Pin(order.iter().position(|&id| id == old).unwrap_or(0)),
+            slide @ InputPair::Slide(_) => slide,
+        };
+        let label = draft.links[drive.link].name.clone();
+        Driver { link: drive.link, on: drive.on, pair, label, law: None }
     };
+    let drivers: Vec<_> = drives.iter().map(driver).collect();
     let moving = |point: &&usize| points[**point].places[0].link != GROUND;
     let assembly = (0..points.len()).collect::<Vec<_>>();
     let assembly = assembly.iter().filter(moving).map(|&id| (id, draft.world_of(id))).collect();
+    let from = drives.first().map_or(0.0, |drive| drive.from);
     let (positions, range) = (POSITIONS[0], Range::To(from));
-    let label = draft.links[1].name.clone();
-    let driver = Driver { link: 1, on: GROUND, pair, label, law: None };
-    let input = Input {
-        drivers: vec![driver],
-        is_list: false,
-        name: None,
-        from,
-        positions,
-        range,
-        direction: Sense::Ccw,
-    };
+    let input = Input { drivers, is_list: false, name: None, from, positions, range, direction: Sense::Ccw };
     Mechanism {
         title: "Specimen".to_owned(),
         links: draft.links.clone(),
@@ -189,7 +200,7 @@ fn with_range(draft: &mut Draft, mut mechanism: Mechanism) -> Option<(Mechanism,
 
 /// Smallest determinant over `finer` times as many positions, which shows singular positions between the others
 /// (guides that become parallel would let links run to infinity); 0 if a position can't be solved.
-fn health(linkage: &Linkage, input: &Input, finer: usize) -> f64 {
+pub(super) fn health(linkage: &Linkage, input: &Input, finer: usize) -> f64 {
     let mut position = linkage.position();
     let input = Input { positions: finer * input.positions, ..input.clone() };
     let mut least = f64::INFINITY;

@@ -68,3 +68,20 @@ fn one_hundred_seeds_show_every_arrangement() {
     assert!(any(|m| m.loads.iter().any(|load| load.kind.contact().is_some())));
     assert!(any(|m| m.loads.iter().any(|load| load.kind.spring().is_some())));
 }
+
+#[test]
+fn the_text_of_a_specimen_with_several_drives_reads_as_the_same_mechanism() {
+    for seed in 0..30 {
+        let number = usize::try_from(seed).unwrap();
+        let mut mechanism = Recipe::of(1 + number % 3).several(seed, 2 + number % 2).unwrap();
+        let text = scene_text(&mechanism);
+        let mut read =
+            assur_scene::read("specimen.toml", &text).unwrap_or_else(|e| panic!("seed {seed}: {e}\n{text}"));
+        read.warnings.clear();
+        // Where two are driven in one pin, a scene tells them apart.
+        for (own, read) in mechanism.input.drivers.iter_mut().zip(&read.input.drivers) {
+            own.label = read.label.clone();
+        }
+        assert_eq!(read, mechanism, "seed {seed}\n{text}");
+    }
+}

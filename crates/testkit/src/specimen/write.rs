@@ -3,13 +3,13 @@
 use std::fmt::Write;
 
 use assur_mechanism::{
-    Balance, Contact, Direction, GROUND, Inertia, InputPair, LawTable, LinkId, LoadKind, Mechanism, Motion,
-    Name, Over, Place, Range, Sense, Shape, Value, VaryingInertia,
+    Balance, Contact, Direction, Driver, GROUND, Inertia, InputPair, LawTable, LinkId, LoadKind, Mechanism,
+    Motion, Name, Over, Place, Range, Sense, Shape, TimeLaw, Value, VaryingInertia,
 };
 
 /// The text of a scene, all numbers in SI with all their digits.
 ///
-/// Covers only what specimens have: a prescribed motion, no drive and no output.
+/// Covers only what specimens have: a prescribed motion, several inputs that move evenly, no drive and no output.
 pub fn scene_text(mechanism: &Mechanism) -> String {
     let mut text = String::new();
     // Writing to a string can't fail.
@@ -71,19 +71,31 @@ fn write_link(text: &mut String, m: &Mechanism, id: LinkId) -> Out {
     }
 }
 
-fn write_input(text: &mut String, m: &Mechanism) -> Out {
-    let input = &m.input;
-    let driver = input.first();
+/// What is driven.
+fn driven(m: &Mechanism, driver: &Driver) -> String {
     let [link, on] = [driver.link, driver.on].map(|link| &m.links[link].name);
     match (driver.is_relative(), driver.pair) {
-        (false, _) => writeln!(text, "\n[input]\nlink = {link:?}")?,
-        (true, InputPair::Slide(slide)) => {
-            writeln!(text, "\n[input]\nslide = {:?}", m.slides[slide].name)?;
-        }
+        (false, _) => format!("link = {link:?}"),
+        (true, InputPair::Slide(slide)) => format!("slide = {:?}", m.slides[slide].name),
         (true, InputPair::Pin(pin)) => {
-            writeln!(text, "\n[input]\npin = {:?}\nof = {link:?}\non = {on:?}", m.points[pin].name)?;
+            format!("pin = {:?}\nof = {link:?}\non = {on:?}", m.points[pin].name)
         }
     }
+}
+
+fn write_input(text: &mut String, m: &Mechanism) -> Out {
+    let input = &m.input;
+    for driver in input.drivers.iter().filter(|_| input.is_list) {
+        writeln!(text, "\n[[input]]\n{}", driven(m, driver))?;
+        // Drives of specimens move evenly.
+        if let Some(TimeLaw::Uniform { from, rate }) = driver.law {
+            writeln!(text, "from = {from:?}\nrate = {rate:?}")?;
+        }
+    }
+    if input.is_list {
+        return Ok(());
+    }
+    writeln!(text, "\n[input]\n{}", driven(m, input.first()))?;
     writeln!(text, "from = {:?}\npositions = {}", input.from, input.positions)?;
     match input.range {
         Range::To(to) => writeln!(text, "to = {to:?}"),
@@ -210,7 +222,11 @@ fn write_motion(text: &mut String, m: &Mechanism) -> Out {
         }
         None => {}
     }
-    if let Some(Motion::Prescribed { speed, acceleration }) = m.motion {
+    if m.input.kind().is_time() {
+        if let Range::To(until) = m.input.range {
+            writeln!(text, "\n[motion]\nuntil = {until:?}\nsamples = {}", m.input.positions - 1)?;
+        }
+    } else if let Some(Motion::Prescribed { speed, acceleration }) = m.motion {
         // In the scene speed and acceleration are counted in the direction of the input.
         let [speed, acceleration] = [speed, acceleration].map(|value| m.input.sign() * value);
         writeln!(text, "\n[motion]\nspeed = {speed:?}\nacceleration = {acceleration:?}")?;
