@@ -148,7 +148,8 @@ impl<T: Number> Chain<T> {
                     [body.c, body.s] = axis;
                     [body.x, body.y] = plus(origin, scaled(coordinate, along));
                     [body.x1, body.y1] = scaled(first, along);
-                    [body.x2, body.y2] = scaled(second, along);
+                    // No zero has a sign.
+                    [body.x2, body.y2] = scaled(second, along).map(|part| part + T::ZERO);
                 }
                 ChainInput::Relative { body, is_angle: true } => {
                     let ((s, c), body) = (coordinate.sin_cos(), &mut bodies[body]);

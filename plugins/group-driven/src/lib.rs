@@ -18,8 +18,8 @@ assur_words::resources!();
 
 inventory::submit! {
     GroupPlugin {
-        name: "driven",
-        kind: "I",
+        name: "driven-link",
+        kind: "driven-link",
         number: 0,
         crate_name: env!("CARGO_PKG_NAME"),
         summary: text!("group-driven"),

@@ -13,7 +13,7 @@ fn a_forearm_turns_with_the_arm_and_against_it() {
         let (s, c) = elementary::sin_cos(angle);
         Body { c, s, ..Body::ground() }
     };
-    let plugin = groups().unwrap().into_iter().find(|plugin| plugin.name == "driven").unwrap();
+    let plugin = groups().unwrap().into_iter().find(|plugin| plugin.name == "driven-link").unwrap();
     let kernel = <f64 as assur_group::Number>::build(&plugin.builders, &frame).unwrap();
     let mut bodies = vec![
         Body::ground(),
