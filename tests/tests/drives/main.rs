@@ -1,6 +1,7 @@
 //! Inputs over time in the results: against the same mechanism with a prescribed motion, against closed forms and the recursive
 //! equations of Newton and Euler, and with friction by the powers of everything that acts.
 
+use std::fmt::Write;
 use std::ops::ControlFlow;
 
 use assur_all as _;
@@ -12,12 +13,16 @@ mod laws;
 
 /// The positions of a scene.
 fn positions(text: &str) -> Vec<Value> {
-    let mechanism = assur_scene::read("scene.toml", text).unwrap_or_else(|faults| panic!("{faults}\n{text}"));
-    let mut watch = |_: Progress| ControlFlow::Continue(());
-    let found = Calculation::of(mechanism, &Options::default(), &mut watch);
-    let analysis = found.unwrap_or_else(|error| panic!("{error}\n{text}")).analyze(&mut watch).unwrap();
-    let json: Value = serde_json::from_str(&to_json(&analysis, false).unwrap()).unwrap();
-    json["positions"].as_array().unwrap().clone()
+    let found = || -> Result<Value, Box<dyn std::error::Error>> {
+        let mechanism = assur_scene::read("scene.toml", text).map_err(|faults| faults.to_string())?;
+        let mut watch = |_: Progress| ControlFlow::Continue(());
+        let found = Calculation::of(mechanism, &Options::default(), &mut watch);
+        let analysis =
+            found.map_err(|error| error.to_string())?.analyze(&mut watch).map_err(|_| "stopped")?;
+        Ok(serde_json::from_str(&to_json(&analysis, false)?)?)
+    };
+    let json = found().unwrap_or_else(|error| panic!("{error}\n{text}"));
+    json["positions"].as_array().cloned().unwrap_or_default()
 }
 
 fn number(value: &Value, path: &str) -> f64 {
@@ -114,9 +119,12 @@ fn powers(at: &Value, point: impl Fn(&str) -> [f64; 2], link: impl Fn(&str) -> f
 fn friction_in_a_mechanism_with_two_drives_opposes_motion_and_takes_what_the_drives_give() {
     let mut text = format!("{FIVE_BAR}{LEFT}{RIGHT}");
     for (pin, coefficient, radius, ..) in JOURNALS {
-        text += &format!("[[friction]]\npair = \"{pin}\"\ncoefficient = {coefficient}\nradius = {radius}\n");
+        writeln!(text, "[[friction]]\npair = \"{pin}\"\ncoefficient = {coefficient}\nradius = {radius}")
+            .unwrap();
     }
-    for at in positions(&text) {
+    let all = positions(&text);
+    assert_eq!(all.len(), 9);
+    for at in all {
         let speed = |link: &str| {
             if link == "ground" { 0.0 } else { number(&at, &format!("/velocities/links/{link}")) }
         };
@@ -179,16 +187,18 @@ const INERTIAS: [f64; 3] = [0.11, 0.05, 0.01];
 const TIP: [f64; 2] = [25.0, -40.0];
 
 fn arm() -> String {
-    let mut text = "gravity = 9.81\n[ground]\npoints = { J1 = [0.1, 0.2] }\n".to_owned();
-    for k in 0..3 {
-        let (own, next, length) = (k + 1, k + 2, LENGTHS[k]);
-        text += &format!(
-            "[link.l{own}]\npoints = {{ J{own} = 0, J{next} = {length} }}\nmass = {:?}\n",
-            MASSES[k]
-        );
-        text += &format!("center = {:?}\ninertia = {:?}\n", CENTERS[k], INERTIAS[k]);
-    }
-    text + r#"
+    let link = |k: usize| {
+        let [own, next] = [k + 1, k + 2];
+        format!(
+            "[link.l{own}]\npoints = {{ J{own} = 0, J{next} = {:?} }}\nmass = {:?}\ncenter = {:?}\ninertia = {:?}\n",
+            LENGTHS[k], MASSES[k], CENTERS[k], INERTIAS[k]
+        )
+    };
+    let links = [0, 1, 2].map(link).concat();
+    format!("gravity = 9.81\n[ground]\npoints = {{ J1 = [0.1, 0.2] }}\n{links}{DRIVES_OF_ARM}")
+}
+
+const DRIVES_OF_ARM: &str = r#"
 [[input]]
 link = "l1"
 over_time = { formula = "0.4 + 0.8*sin(2*t)" }
@@ -215,8 +225,7 @@ link = "l3"
 at = "J4"
 angle = "-90 deg"
 value = 40
-"#
-}
+"#;
 
 /// Coordinates, speeds and accelerations of the drives of the arm.
 fn of_arm(t: f64) -> [[f64; 3]; 3] {
@@ -232,7 +241,9 @@ fn sums(of: [f64; 3]) -> [f64; 3] {
 
 #[test]
 fn an_arm_of_three_links_moves_by_closed_forms_and_is_driven_as_newton_and_euler_say() {
-    for at in positions(&arm()) {
+    let all = positions(&arm());
+    assert_eq!(all.len(), 7);
+    for at in all {
         let time = number(&at, "/time");
         let [q, speeds, accelerations] = of_arm(time);
         let [angles, turns, spins] = [q, speeds, accelerations].map(sums);
