@@ -9,6 +9,7 @@ use assur_force::{ForceError, LoadError, LoadFault};
 use assur_group::{BuildError, GroupError, RegistryError};
 use assur_integrator::{Dependence, FixedStep, IntegrationError, MotionError, Request, State, Until};
 use assur_kinematics::{CompileError, PositionError};
+use assur_mechanism::CoordinateKind;
 use assur_motor::{
     Characteristic, CharacteristicKind, RatedMotor, SelectionRequest, check_breakdown, check_rms,
     check_rotor_inertia, check_starting, find_designation, parse_table, select,
@@ -180,14 +181,14 @@ fn errors_of_groups_positions_and_loads() {
     ];
     let mut all: Vec<Text> = groups.iter().map(Describe::describe).collect();
     let group = text!("structure-group", number = 1, kind = name("RRR"), links = name("А"));
-    let position = |range, angular| {
+    let position = |range, kind| {
         let (group_name, index) = (Box::new(group.clone()), Some(3));
         PositionError {
             group: 0,
             group_name,
             index,
             coordinate: 1.0,
-            angular,
+            kind,
             source: gap,
             range,
             elsewhere: range.map(Box::new),
@@ -195,7 +196,14 @@ fn errors_of_groups_positions_and_loads() {
             parallel: None,
         }
     };
-    all.extend([position(None, true), position(Some([0.1, 0.2]), false)].map(|error| error.describe()));
+    all.extend(
+        [
+            position(None, CoordinateKind::Angle),
+            position(Some([0.1, 0.2]), CoordinateKind::Length),
+            position(Some([0.1, 0.2]), CoordinateKind::Time),
+        ]
+        .map(|error| error.describe()),
+    );
     let source = BuildError::new(text!("group-rrr-no-link", link = 1));
     all.push(CompileError::Build { group: Box::new(group.clone()), source, link: None }.describe());
     let load = || name("Б");
@@ -208,7 +216,7 @@ fn errors_of_groups_positions_and_loads() {
         LoadFault::NotFinite(1.0),
         LoadFault::UnlocatedSliding,
         LoadFault::ChangesTooOften { function: function(), column: 7, most: 10 },
-        LoadFault::NoPosition(1.0, Box::new(position(None, true))),
+        LoadFault::NoPosition(1.0, Box::new(position(None, CoordinateKind::Angle))),
     ];
     all.extend(loads.map(|fault| LoadError { load: load(), fault }.describe()));
     let lines = text!("force-longitudinal-lines-guide", crank = name("А"), third = name("Б"));

@@ -125,7 +125,7 @@ fn add_load(mechanism: &mut Mechanism, kind: &str) {
         }
         "brake" => {
             // The link that is placed last may slide and never turn.
-            let link = mechanism.input.link;
+            let link = mechanism.input.first().link;
             Brake { link, force: Value::Constant(60.0), radius: 0.05, friction: 0.3, lever: 1.0 }.into()
         }
         "force by a formula" => {

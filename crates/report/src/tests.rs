@@ -8,7 +8,7 @@ use assur_analysis::results::{
     Analysis, Column, Cycle, InputReport, Owner, Peaks, Quantity, Schema, Section, Starts, StructureReport,
     Survey, Table,
 };
-use assur_mechanism::{Mechanism, Named, PairId};
+use assur_mechanism::{CoordinateKind, Mechanism, Named, PairId};
 use assur_words::to_ascii;
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::record::Field;
@@ -57,7 +57,7 @@ fn analysis(angle: f64) -> Analysis {
         input: InputReport {
             link: Named { id: 1, name: "größe".into() },
             pair: None,
-            angular: true,
+            kind: CoordinateKind::Angle,
             balancing_is_moment: true,
         },
         structure: StructureReport {

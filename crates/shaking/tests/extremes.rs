@@ -5,7 +5,7 @@
 use assur_all as _;
 use assur_force::LoadState;
 use assur_kinematics::Linkage;
-use assur_mechanism::{InputPair, Mechanism, Motion, Range};
+use assur_mechanism::{Mechanism, Motion, Range};
 use assur_shaking::{AtPosition, Criterion, Shaking, shaking};
 use assur_testkit::specimen::Recipe;
 
@@ -18,7 +18,7 @@ fn found(mechanism: Mechanism) -> Shaking {
 fn specimens(groups: usize, wanted: usize) -> Vec<Mechanism> {
     let fits = |mechanism: &Mechanism| {
         matches!(mechanism.input.range, Range::Cycle(_))
-            && matches!(mechanism.input.pair, InputPair::Pin(_))
+            && mechanism.input.is_angle()
             && matches!(mechanism.motion, Some(Motion::Prescribed { .. }))
             && mechanism.links.iter().skip(2).any(|link| link.mass > 0.0)
     };

@@ -132,7 +132,7 @@ fn a_long_ladder_is_taken_apart_in_any_order_of_the_scene() {
         assert!(found.groups.iter().all(|group| group.plugin.name == "rrr" && group.order == 2));
         // Each group is solved after the ones that its outer pairs lead to.
         let mut solved = vec![false; mechanism.links.len()];
-        (solved[0], solved[mechanism.input.link]) = (true, true);
+        (solved[0], solved[mechanism.input.first().link]) = (true, true);
         for group in &found.groups {
             let outside =
                 |pair: &assur_group::Pair| if group.frame.links.contains(&pair.a) { pair.b } else { pair.a };

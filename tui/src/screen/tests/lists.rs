@@ -264,7 +264,7 @@ fn a_moved_point_describes_its_path() {
     let scene = state.scene.as_ref().unwrap();
     let mut probe = state.probe.unwrap();
     // On the crank the path is a circle about its pin, whose radius is the distance from the pin.
-    probe.link = scene.linkage.mechanism.input.link;
+    probe.link = scene.linkage.mechanism.input.first().link;
     let (pose, place) = (scene.pose(0, 0.0).unwrap(), [0.03, 0.04]);
     probe.put(&pose, place);
     let there = pose.bodies[probe.link].point(probe.at);

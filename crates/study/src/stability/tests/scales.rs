@@ -4,7 +4,7 @@ use assur_check::Finding;
 use assur_force::{LoadState, Loads, Reactions};
 use assur_group::{Order, Wrench};
 use assur_kinematics::{Linkage, Position};
-use assur_mechanism::{InputPair, Mechanism, Range};
+use assur_mechanism::{Mechanism, Range};
 use assur_words::name;
 
 use super::Law;
@@ -238,7 +238,7 @@ fn longer(mechanism: &Mechanism, factor: f64) -> Mechanism {
         scale(&mut slide.point);
         scale(&mut slide.through);
     }
-    if matches!(longer.input.pair, InputPair::Slide(_)) {
+    if !longer.input.is_angle() {
         longer.input.from *= factor;
         longer.input.range = match longer.input.range {
             Range::Cycle(cycle) => Range::Cycle(cycle * factor),

@@ -22,7 +22,7 @@ const TURNS: [f64; 6] = [4.0, 40.0, 400.0, 4000.0, 10_000.0, 1_000_000.0];
 /// Rows for a mechanism that turns fully; none for another one.
 pub(crate) fn rows(linkage: &Linkage, walk: &Walk<'_>, q: f64) -> Vec<Comparison> {
     let mut rows = Vec::new();
-    if !linkage.kind() || linkage.range.is_none_or(|range| !range.full) {
+    if !linkage.kind().is_angle() || linkage.range.is_none_or(|range| !range.full) {
         return rows;
     }
     let target = Target {

@@ -3,7 +3,7 @@
 use assur_force::{LoadState, Loads, Reactions, choose};
 use assur_group::{Order, Wrench};
 use assur_kinematics::Linkage;
-use assur_mechanism::{GROUND, Inertia, InputPair, Link, Mechanism, Motion, Place, Point, Range, Sense};
+use assur_mechanism::{GROUND, Inertia, Link, Mechanism, Motion, Place, Point, Range, Sense};
 use assur_testkit::specimen::Recipe;
 
 use assur_number::greater as worst;
@@ -103,7 +103,7 @@ fn times(all: &[f64], factor: f64) -> Vec<f64> {
 }
 
 fn pinned(mechanism: &Mechanism) -> bool {
-    matches!(mechanism.input.pair, InputPair::Pin(_))
+    mechanism.input.is_angle()
 }
 
 /// There are enough of them, and every kind of comparison sees a change of a millionth.
@@ -258,7 +258,8 @@ fn reordering_and_renaming_links_changes_their_order_only() {
         for slide in &mut other.slides {
             (slide.link, slide.on) = (new(slide.link), new(slide.on));
         }
-        other.input.link = new(other.input.link);
+        let driver = &mut other.input.drivers[0];
+        driver.link = new(driver.link);
         let mut after = solve(&other);
         after.turns.chunks_mut(count - 1).for_each(<[_]>::reverse);
         assert!(apart(&before.turns, &after.turns) < 1e-10);
