@@ -129,17 +129,17 @@ impl Whole<'_> {
         None
     }
 
-    /// The poses at coordinates near those of a center.
+    /// The poses at coordinates near those of a center; `None` where the Jacobian of the center is too far from theirs.
     fn near(&self, center: &Center, coordinates: &[f64]) -> Option<Poses> {
         let mut poses = center.poses.clone();
         for _ in 0..40 {
             let step = center.jacobian.solve(&self.gaps(&poses, coordinates))?;
             poses -= &step;
             if step.norm() < 1e-15 * (1.0 + poses.norm()) {
-                break;
+                return Some(poses);
             }
         }
-        Some(poses)
+        (self.gaps(&poses, coordinates).norm() < 1e-14 * (1.0 + poses.norm())).then_some(poses)
     }
 
     /// What the loads ask for: of each moving link origin, angle and center of mass, of each force its point, of each spring its length.

@@ -1,0 +1,176 @@
+//! One input by a law over time.
+
+use serde_json::Value;
+
+use super::{number, positions};
+
+/// A law as a scene has it, and its value with both derivatives.
+type Law = (&'static str, fn(f64) -> [f64; 3]);
+
+fn sine([mean, rise, size, rate]: [f64; 4], t: f64) -> [f64; 3] {
+    let (s, c) = (rate * t).sin_cos();
+    [mean + rise * t + size * s, rise + size * rate * c, -size * rate * rate * s]
+}
+
+/// The natural cubic spline through 0.4, 1.6, 1.1 at 0, 0.6, 1.2: one equation for its middle bend, 4 h M = 6 (second difference) / h.
+fn spline(t: f64) -> [f64; 3] {
+    let (h, [a, b, c]) = (0.6, [0.4, 1.6, 1.1]);
+    let bend = 1.5 * (c - 2.0 * b + a) / (h * h);
+    let (u, from, slope, sign) =
+        if t < h { (t, a, (b - a) / h, 1.0) } else { (2.0 * h - t, c, (c - b) / h, -1.0) };
+    let rise = sign * slope - h * bend / 6.0;
+    [from + rise * u + bend * u * u * u / (6.0 * h), sign * (rise + bend * u * u / (2.0 * h)), bend * u / h]
+}
+
+/// A shipped scene without its input and motion, and with loads that are the same at all times; what drives it, and by which law.
+fn scenes() -> [(String, &'static str, Law); 5] {
+    let scene = |name: &str| {
+        let text = assur_fixtures::scene(name);
+        let tables: Vec<&str> = text
+            .split("\n[")
+            .filter(|table| !["input]", "motion]"].iter().any(|head| table.starts_with(head)))
+            .collect();
+        tables.join("\n[")
+    };
+    let four_bar = scene("four-bar")
+        .replace(r#"{ over = "angle", table = [[0, 150], ["180 deg", 600], ["360 deg", 150]] }"#, "400");
+    let slider_crank = scene("slider-crank").replace("B = [0, 0.23]", "B = [0, 0.24]\nA = [0.05, 0.02]");
+    let (before, law) = slider_crank.split_once("value = { over = \"stroke\"").unwrap_or_default();
+    let slider_crank = format!("{before}value = 900{}", law.split_once('}').unwrap_or_default().1);
+    [
+        (
+            four_bar.clone(),
+            "link = \"crank\"",
+            ("{ formula = \"0.3 + 2*t + sin(3*t)\" }", |t| sine([0.3, 2.0, 1.0, 3.0], t)),
+        ),
+        (
+            four_bar,
+            "link = \"crank\"",
+            ("{ table = [[0, 0.4], [0.6, 1.6], [1.2, 1.1]], shape = \"smooth\" }", spline),
+        ),
+        (
+            slider_crank,
+            "link = \"piston\"",
+            ("{ formula = \"0.24 + 0.03*sin(4*t)\" }", |t| sine([0.24, 0.0, 0.03, 4.0], t)),
+        ),
+        (
+            scene("boom"),
+            "slide = \"rod/barrel\"",
+            ("{ formula = \"1.05 + 0.15*sin(2*t)\" }", |t| sine([1.05, 0.0, 0.15, 2.0], t)),
+        ),
+        (
+            scene("leg"),
+            "pin = \"K\"\nof = \"thigh\"",
+            ("{ formula = \"1.3 - 0.5*sin(2*t)\" }", |t| sine([1.3, 0.0, -0.5, 2.0], t)),
+        ),
+    ]
+}
+
+const MOTION: &str = "[motion]\nuntil = 1.2\nsamples = 9\n";
+
+/// Compares all numbers of two results: to a part of the greatest of those that stand together. `but`: keys that are left out.
+pub(super) fn same(one: &Value, other: &Value, limit: f64, but: &[&str]) {
+    let size = greatest(one);
+    match (one, other) {
+        (Value::Object(one), Value::Object(other)) => {
+            let keys = |of: &serde_json::Map<String, Value>| {
+                let mut keys: Vec<_> =
+                    of.keys().filter(|key| !but.contains(&key.as_str())).cloned().collect();
+                keys.sort();
+                keys
+            };
+            assert_eq!(keys(one), keys(other));
+            for key in keys(one) {
+                within(&key, [&one[&key], &other[&key]], limit);
+            }
+        }
+        _ => within("", [one, other], limit * size),
+    }
+}
+
+fn within(key: &str, [one, other]: [&Value; 2], limit: f64) {
+    let limit = limit * greatest(one).max(1e-3);
+    compare(key, [one, other], limit);
+}
+
+fn compare(key: &str, [one, other]: [&Value; 2], limit: f64) {
+    match (one, other) {
+        (Value::Object(one), Value::Object(other)) => {
+            assert_eq!(one.len(), other.len(), "{key}");
+            one.iter()
+                .for_each(|(name, value)| compare(&format!("{key}/{name}"), [value, &other[name]], limit));
+        }
+        (Value::Array(one), Value::Array(other)) => {
+            assert_eq!(one.len(), other.len(), "{key}");
+            one.iter().zip(other).for_each(|(one, other)| compare(key, [one, other], limit));
+        }
+        (Value::Number(a), Value::Number(b)) => {
+            let [a, b] = [a, b].map(|number| number.as_f64().unwrap_or(f64::NAN));
+            assert!((a - b).abs() <= limit, "{key}: {a} and {b} differ by more than {limit:e}");
+        }
+        _ => assert_eq!(one, other, "{key}"),
+    }
+}
+
+fn greatest(value: &Value) -> f64 {
+    match value {
+        Value::Object(all) => all.values().map(greatest).fold(0.0, f64::max),
+        Value::Array(all) => all.iter().map(greatest).fold(0.0, f64::max),
+        Value::Number(number) => number.as_f64().unwrap_or_default().abs(),
+        _ => 0.0,
+    }
+}
+
+#[test]
+fn a_law_over_time_gives_at_each_instant_what_a_prescribed_motion_gives_there() {
+    for (rest, driven, (text, law)) in scenes() {
+        let over_time = positions(&format!("{rest}\n[input]\n{driven}\nover_time = {text}\n{MOTION}"));
+        assert_eq!(over_time.len(), 10);
+        for at in &over_time {
+            let [q, speed, acceleration] = law(number(at, "/time"));
+            let sign = if speed < 0.0 { -1.0 } else { 1.0 };
+            let sense = if speed < 0.0 { "cw" } else { "ccw" };
+            let plain = positions(&format!(
+                "{rest}\n[input]\n{driven}\nfrom = {q:?}\nto = {q:?}\npositions = 1\ndirection = \"{sense}\"\n\
+                 [motion]\nspeed = {:?}\nacceleration = {:?}\n",
+                sign * speed,
+                sign * acceleration
+            ));
+            assert!(at["balancing"].is_number() && at["reduced"].is_object(), "{driven}: {at}");
+            same(at, &plain[0], 1e-11, &["index", "time"]);
+        }
+    }
+}
+
+#[test]
+fn a_list_of_one_input_gives_the_numbers_of_that_input_alone() {
+    for (rest, driven, (text, _)) in scenes() {
+        let all = ["[input]", "[[input]]"]
+            .map(|head| positions(&format!("{rest}\n{head}\n{driven}\nover_time = {text}\n{MOTION}")));
+        for (alone, listed) in all[0].iter().zip(&all[1]) {
+            let key = listed["coordinates"].as_object().unwrap().keys().next().unwrap();
+            let of_drive = |of: &str| &listed[of][key];
+            assert_eq!(
+                [
+                    of_drive("coordinates"),
+                    of_drive("speeds"),
+                    of_drive("accelerations_of_inputs"),
+                    of_drive("balancing")
+                ],
+                [&alone["coordinate"], &alone["speed"], &alone["acceleration"], &alone["balancing"]]
+            );
+            for of in
+                ["time", "velocities", "accelerations", "reactions", "inertia_loads", "shaking", "condition"]
+            {
+                assert_eq!(listed[of], alone[of], "{of}");
+            }
+            assert!(listed.get("reduced").is_none());
+            for of in ["links", "points", "slides"] {
+                for (name, one) in listed[of].as_object().unwrap() {
+                    let pair = [&one["pf0"], &one["pf1"][key]];
+                    assert_eq!(pair, [&alone[of][name]["pf0"], &alone[of][name]["pf1"]], "{of} {name}");
+                }
+            }
+        }
+    }
+}
