@@ -218,7 +218,8 @@ fn reactions(series: &[Series], table: &Table) -> Vec<Reaction> {
     // The balancing load, or over time that of each drive.
     for owner in schema.owners(Quantity::Balancing) {
         let column = Column::of(Quantity::Balancing, owner);
-        let name = catalogue::subject(schema, column);
+        let owner = catalogue::owner(schema, column);
+        let name = if owner.is_empty() { catalogue::kind(column) } else { owner };
         found.extend(index(series, column).map(|index| Reaction {
             of: None,
             name,

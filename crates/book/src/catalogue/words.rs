@@ -56,10 +56,10 @@ pub fn kind(column: Column) -> Text {
 
 /// Whether owner and symbol alone don't tell what a column is: the input needs no name, and F of a link may be a reaction.
 const fn needs_its_kind(column: Column) -> bool {
-    use Quantity::{Condition, InertiaForce, InertiaMoment, ReducedLoad, Residual, Work};
+    use Quantity::{Balancing, Condition, InertiaForce, InertiaMoment, ReducedLoad, Residual, Work};
     // The work of the weights is of the ground, that of a load of the load.
     matches!(column.owner, Owner::Input)
-        || matches!(column.quantity, Work | ReducedLoad)
+        || matches!(column.quantity, Work | ReducedLoad | Balancing)
         || matches!(column.quantity, InertiaForce | InertiaMoment | Condition | Residual(_))
 }
 

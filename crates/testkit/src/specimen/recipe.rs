@@ -57,7 +57,9 @@ impl Recipe {
     /// constructions stayed away from singular positions, or if there is no such kind.
     pub fn specimen(&self, seed: u64) -> Option<Specimen> {
         let mut kinds = groups().ok()?;
-        kinds.retain(|kind| self.only.map_or_else(|| is_dyad(kind), |only| only == kind.name));
+        kinds.retain(|kind| {
+            self.only.map_or_else(|| is_dyad(kind), |only| only == kind.name && has_links(kind))
+        });
         self.of_kinds(seed, &kinds)
     }
 
