@@ -263,8 +263,8 @@ impl Report {
         self.put("efficiency".to_owned(), Unit::NONE, found.efficiency);
         self.put("friction_work".to_owned(), Unit::JOULE, work);
         self.put("friction_margin".to_owned(), Unit::NONE, Some(1.0 - found.certificate));
-        self.put("self_braking".to_owned(), unit, found.self_braking.as_deref().map(length));
-        self.put("dead_angles".to_owned(), unit, found.dead_angles.as_deref().map(length));
+        self.put("self_braking".to_owned(), unit, Some(length(&found.self_braking)));
+        self.put("dead_angles".to_owned(), unit, Some(length(&found.dead_angles)));
     }
 }
 
