@@ -15,16 +15,14 @@ use crate::Calculation;
 /// Friction over the cycle.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
 pub struct FrictionCycle {
-    /// Efficiency of the cycle, from its works; `None` where a position jams, or nothing works, and over time.
+    /// Efficiency of the cycle, from its works; `None` where a position jams, or nothing works.
     pub efficiency: Option<f64>,
     /// Work of the friction of each pair over the cycle, J, never positive; `None` where a position jams.
     pub friction_work: IndexMap<String, Option<f64>>,
-    /// Intervals of the coordinate in which the efficiency is 0, rad or m; `None` over time.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub self_braking: Option<Vec<[f64; 2]>>,
-    /// Intervals of the coordinate without a solution; `None` over time.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub dead_angles: Option<Vec<[f64; 2]>>,
+    /// Intervals of the coordinate in which the efficiency is 0, rad or m.
+    pub self_braking: Vec<[f64; 2]>,
+    /// Intervals of the coordinate without a solution.
+    pub dead_angles: Vec<[f64; 2]>,
     /// Greatest spectral radius over the cycle, where there is a solution.
     #[serde(skip)]
     pub certificate: f64,
@@ -109,14 +107,11 @@ impl Calculation {
         let friction_work =
             named.enumerate().map(|(k, name)| (name, works.as_ref().map(|works| works[k + 1])));
         let total = works.as_ref().map(|works| -works[1..].iter().sum::<f64>());
-        // Several drives have no common efficiency.
-        let is_timed = input.kind().is_time();
-        let efficiency = works.as_ref().zip(total).and_then(|(works, loss)| efficiency(works[0], loss));
         Some(FrictionCycle {
-            efficiency: efficiency.filter(|_| !is_timed),
+            efficiency: works.as_ref().zip(total).and_then(|(works, loss)| efficiency(works[0], loss)),
             friction_work: friction_work.collect(),
-            self_braking: (!is_timed).then_some(self_braking),
-            dead_angles: (!is_timed).then_some(dead_angles),
+            self_braking,
+            dead_angles,
             certificate: cycle.certificate,
         })
     }

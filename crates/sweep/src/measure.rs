@@ -166,8 +166,8 @@ columns! {
     "friction" Friction "friction_work" In::Unit(Unit::JOULE),
         |found, _| found.friction.as_ref()?.friction_work.values().copied().sum();
     "friction" Friction "friction_margin" NONE, |found, _| Some(1.0 - found.friction.as_ref()?.certificate);
-    "friction" Friction "self_braking" In::Coordinate, |found, _| found.friction.as_ref()?.self_braking.as_deref().map(total);
-    "friction" Friction "dead_angles" In::Coordinate, |found, _| found.friction.as_ref()?.dead_angles.as_deref().map(total);
+    "friction" Friction "self_braking" In::Coordinate, |found, _| Some(total(&found.friction.as_ref()?.self_braking));
+    "friction" Friction "dead_angles" In::Coordinate, |found, _| Some(total(&found.friction.as_ref()?.dead_angles));
 }
 
 /// Measures that need one coordinate of the mechanism.

@@ -40,8 +40,7 @@ pub fn events(analysis: &Analysis, modes: &[GroupModes]) -> Vec<Event> {
     if let Some(friction) = &analysis.friction {
         let intervals =
             [("fact-self-braking", &friction.self_braking), ("fact-dead-angle", &friction.dead_angles)];
-        let told =
-            intervals.into_iter().flat_map(|(id, found)| found.iter().flatten().map(move |ends| (id, *ends)));
+        let told = intervals.into_iter().flat_map(|(id, found)| found.iter().map(move |ends| (id, *ends)));
         events.extend(told.map(|(id, ends)| Event::new(text!(id), ends, Text::default())));
     }
     for (slide, changes) in &analysis.cycle.sign_changes {

@@ -31,9 +31,7 @@ pub(super) fn facts(cycle: &FrictionCycle, unit: Unit) -> Vec<Fact> {
     let intervals = [("fact-self-braking", &cycle.self_braking), ("fact-dead-angle", &cycle.dead_angles)];
     for (id, found) in intervals {
         // By its length, at its ends.
-        facts.extend(
-            found.iter().flatten().map(|ends| Fact::number(id, ends[1] - ends[0], unit).at(ends, unit)),
-        );
+        facts.extend(found.iter().map(|ends| Fact::number(id, ends[1] - ends[0], unit).at(ends, unit)));
     }
     facts
 }
@@ -59,9 +57,6 @@ fn of_pairs(source: &Source<'_>, page: &mut Document) {
 
 /// Balancing load without friction, efficiency, and the certificate of each group, in the shown positions.
 fn efficiency(source: &Source<'_>, page: &mut Document) {
-    if source.kind.is_time() {
-        return;
-    }
     let of = |quantity| Values::of(quantity, Owner::Input);
     let mut columns = vec![
         source.headed(text!("head-ideal-balancing"), of(Quantity::IdealBalancing)),

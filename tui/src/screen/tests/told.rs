@@ -126,7 +126,7 @@ fn results_tell_constants_and_self_locking() {
     assert!(line("least transmission angle").contains("90 deg          constant"), "{all}");
     let state = opened("shaper-friction");
     let friction = state.found().unwrap().analysis.friction.clone().unwrap();
-    let [from, to] = friction.self_braking.iter().flatten().last().unwrap().map(|end| format!("{:.3}", end.to_degrees()));
+    let [from, to] = friction.self_braking.last().unwrap().map(|end| format!("{:.3}", end.to_degrees()));
     assert!(line("self-locking").contains("; ") && all.contains(&format!("{from}; {to} deg")), "{all}");
 }
 

@@ -72,12 +72,7 @@ fn events(pen: &mut Pen<'_>, scene: &Scene, area: Rect) {
         if !found.linkage.mechanism.input.is_cycle() {
             page.paragraph(text!("events-of-turn"));
         }
-        if found
-            .analysis
-            .friction
-            .as_ref()
-            .is_some_and(|friction| friction.dead_angles.as_ref().is_some_and(Vec::is_empty))
-        {
+        if found.analysis.friction.as_ref().is_some_and(|friction| friction.dead_angles.is_empty()) {
             page.paragraph(text!("events-no-dead-angle"));
         }
     });
