@@ -356,3 +356,50 @@ from = -1.1
     // The force of the pin on the crank is the weight of both.
     close("pin", [number(at, "/reactions/K/crank/1"), -9.81 * 4.0], 1e-12);
 }
+
+/// A ram whose guide slides along a carriage: both drives act on the carriage.
+#[test]
+fn a_carriage_that_two_drives_push_has_the_load_of_each() {
+    let scene = |angle: &str| {
+        format!(
+            r#"
+gravity = 9.81
+[ground]
+[link.carriage]
+points = {{ C = 0 }}
+mass = 5
+[link.ram]
+points = {{ R = 0 }}
+mass = 2
+[[slide]]
+link = "carriage"
+on = "ground"
+[[slide]]
+link = "carriage"
+on = "ram"
+angle = "{angle}"
+tilt = "-{angle}"
+[[input]]
+link = "carriage"
+over_time = {{ formula = "0.1 + 0.2*t^2" }}
+[[input]]
+slide = "carriage/ram"
+over_time = {{ formula = "0.3 - 0.25*t^2" }}
+[motion]
+until = 1
+samples = 2
+"#
+        )
+    };
+    // The ram moves back as the coordinate grows: its acceleration is that of the carriage and 0.5 along the guide.
+    for (angle, carriage, ram) in
+        [("90 deg", 0.4 * 7.0, -2.0 * (0.5 + 9.81)), ("0 deg", 0.4 * 7.0 + 2.0 * 0.5, -2.0 * 0.9)]
+    {
+        let all = positions(&scene(angle));
+        assert_eq!(all.len(), 3);
+        for at in all {
+            close("carriage", [number(&at, "/balancing/carriage"), carriage], 1e-12);
+            close("ram", [number(&at, "/balancing/carriage~1ram"), ram], 1e-12);
+        }
+    }
+}
