@@ -123,7 +123,9 @@ fn greatest(value: &Value) -> f64 {
 
 #[test]
 fn a_law_over_time_gives_at_each_instant_what_a_prescribed_motion_gives_there() {
-    for (rest, driven, (text, law)) in scenes() {
+    let [four_bar, ..] = scenes();
+    let balanced = (format!("{}\n[balance]\nlink = \"rocker\"\n", four_bar.0), four_bar.1, four_bar.2);
+    for (rest, driven, (text, law)) in scenes().into_iter().chain([balanced]) {
         let over_time = positions(&format!("{rest}\n[input]\n{driven}\nover_time = {text}\n{MOTION}"));
         assert_eq!(over_time.len(), 10);
         for at in &over_time {
