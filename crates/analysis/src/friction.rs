@@ -270,8 +270,11 @@ impl Cycle<'_> {
         (of(State::Dead), of(State::Braking))
     }
 
-    /// The works over an interval; `None` where a position has none.
+    /// The works over an interval; `None` where a position has none, and for a single position.
     fn works(&mut self, [low, high]: [f64; 2]) -> Option<Vec<f64>> {
+        if low >= high {
+            return None;
+        }
         let mut ends = vec![low];
         ends.extend(self.turns([low, high]));
         ends.push(high);

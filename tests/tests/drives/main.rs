@@ -11,8 +11,8 @@ use serde_json::Value;
 
 mod laws;
 
-/// The positions of a scene.
-fn positions(text: &str) -> Vec<Value> {
+/// The results of a scene.
+fn results(text: &str) -> Value {
     let found = || -> Result<Value, Box<dyn std::error::Error>> {
         let mechanism = assur_scene::read("scene.toml", text).map_err(|faults| faults.to_string())?;
         let mut watch = |_: Progress| ControlFlow::Continue(());
@@ -21,8 +21,12 @@ fn positions(text: &str) -> Vec<Value> {
             found.map_err(|error| error.to_string())?.analyze(&mut watch).map_err(|_| "stopped")?;
         Ok(serde_json::from_str(&to_json(&analysis, false)?)?)
     };
-    let json = found().unwrap_or_else(|error| panic!("{error}\n{text}"));
-    json["positions"].as_array().cloned().unwrap_or_default()
+    found().unwrap_or_else(|error| panic!("{error}\n{text}"))
+}
+
+/// The positions of a scene.
+fn positions(text: &str) -> Vec<Value> {
+    results(text)["positions"].as_array().cloned().unwrap_or_default()
 }
 
 fn number(value: &Value, path: &str) -> f64 {
