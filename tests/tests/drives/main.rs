@@ -126,43 +126,45 @@ fn friction_in_a_mechanism_with_two_drives_opposes_motion_and_takes_what_the_dri
         writeln!(text, "[[friction]]\npair = \"{pin}\"\ncoefficient = {coefficient}\nradius = {radius}")
             .unwrap();
     }
-    let all = positions(&text);
+    let found = results(&text);
+    let keys = ["efficiency", "self_braking", "dead_angles"];
+    assert!(keys.iter().all(|key| found.get(key).is_none()), "drives may drive and be driven");
+    let all = found["positions"].as_array().unwrap();
     assert_eq!(all.len(), 9);
     for at in all {
         let speed = |link: &str| {
-            if link == "ground" { 0.0 } else { number(&at, &format!("/velocities/links/{link}")) }
+            if link == "ground" { 0.0 } else { number(at, &format!("/velocities/links/{link}")) }
         };
         let mut lost = 0.0;
         let mut turning = [0.0; 2];
         for (pin, coefficient, radius, owner, link) in JOURNALS {
-            let moment = number(&at, &format!("/friction/{pin}/moment"));
-            let [x, y] = vector(&at, &format!("/reactions/{pin}/{link}"));
+            let moment = number(at, &format!("/friction/{pin}/moment"));
+            let [x, y] = vector(at, &format!("/reactions/{pin}/{link}"));
             let relative = speed(link) - speed(owner);
             let expected = -coefficient * radius * x.hypot(y) * relative.signum();
             close(pin, [moment, expected], 1e-12);
-            let power = number(&at, &format!("/friction/{pin}/power"));
+            let power = number(at, &format!("/friction/{pin}/power"));
             close(pin, [power, expected * relative], 1e-12);
             assert!(power < 0.0, "{pin}: {power}");
             lost += power;
             for (drive, sum) in ["left", "right"].into_iter().zip(&mut turning) {
                 let by = |link: &str| {
-                    if link == "ground" { 0.0 } else { number(&at, &format!("/links/{link}/pf1/{drive}")) }
+                    if link == "ground" { 0.0 } else { number(at, &format!("/links/{link}/pf1/{drive}")) }
                 };
                 *sum += moment * (by(link) - by(owner));
             }
         }
-        let point = |name: &str| vector(&at, &format!("/velocities/points/{name}"));
-        let [acting, size] = powers(&at, point, speed);
-        let given = |drive: &str| number(&at, &format!("/balancing/{drive}"));
+        let point = |name: &str| vector(at, &format!("/velocities/points/{name}"));
+        let [acting, size] = powers(at, point, speed);
+        let given = |drive: &str| number(at, &format!("/balancing/{drive}"));
         let driving: f64 = ["left", "right"]
-            .map(|drive| given(drive) * number(&at, &format!("/speeds/{drive}")))
+            .map(|drive| given(drive) * number(at, &format!("/speeds/{drive}")))
             .iter()
             .sum();
         close("power", [driving + acting + lost, 0.0], 1e-12 * size);
         for (drive, turning) in ["left", "right"].into_iter().zip(turning) {
-            let point = |name: &str| vector(&at, &format!("/points/{name}/pf1/{drive}"));
-            let [acting, size] =
-                powers(&at, point, |link| number(&at, &format!("/links/{link}/pf1/{drive}")));
+            let point = |name: &str| vector(at, &format!("/points/{name}/pf1/{drive}"));
+            let [acting, size] = powers(at, point, |link| number(at, &format!("/links/{link}/pf1/{drive}")));
             close(drive, [given(drive) + acting + turning, 0.0], 1e-12 * size);
         }
     }
