@@ -8,12 +8,13 @@ use assur_number::quadrature::{PLACES, integrals, panels};
 use assur_number::search::{bisect, least};
 use assur_words::{Text, number, text};
 use indexmap::IndexMap;
-use serde::Serialize;
+use serde::ser::SerializeMap;
+use serde::{Serialize, Serializer};
 
 use crate::Calculation;
 
 /// Friction over the cycle.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct FrictionCycle {
     /// Efficiency of the cycle, from its works; `None` where a position jams, or nothing works.
     pub efficiency: Option<f64>,
@@ -24,8 +25,24 @@ pub struct FrictionCycle {
     /// Intervals of the coordinate without a solution.
     pub dead_angles: Vec<[f64; 2]>,
     /// Greatest spectral radius over the cycle, where there is a solution.
-    #[serde(skip)]
     pub certificate: f64,
+    /// Whether several inputs drive, each of which may drive and be driven: then there is no efficiency, and nothing brakes itself.
+    pub is_of_several: bool,
+}
+
+impl Serialize for FrictionCycle {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(None)?;
+        if !self.is_of_several {
+            map.serialize_entry("efficiency", &self.efficiency)?;
+        }
+        map.serialize_entry("friction_work", &self.friction_work)?;
+        if !self.is_of_several {
+            map.serialize_entry("self_braking", &self.self_braking)?;
+            map.serialize_entry("dead_angles", &self.dead_angles)?;
+        }
+        map.end()
+    }
 }
 
 /// What is said where a position jams: with one pair its coefficient too.
@@ -107,12 +124,15 @@ impl Calculation {
         let friction_work =
             named.enumerate().map(|(k, name)| (name, works.as_ref().map(|works| works[k + 1])));
         let total = works.as_ref().map(|works| -works[1..].iter().sum::<f64>());
+        let is_of_several = input.is_list;
+        let both = works.as_ref().zip(total).filter(|_| !is_of_several);
         Some(FrictionCycle {
-            efficiency: works.as_ref().zip(total).and_then(|(works, loss)| efficiency(works[0], loss)),
+            efficiency: both.and_then(|(works, loss)| efficiency(works[0], loss)),
             friction_work: friction_work.collect(),
-            self_braking,
+            self_braking: if is_of_several { Vec::new() } else { self_braking },
             dead_angles,
             certificate: cycle.certificate,
+            is_of_several,
         })
     }
 }
@@ -270,8 +290,11 @@ impl Cycle<'_> {
         (of(State::Dead), of(State::Braking))
     }
 
-    /// The works over an interval; `None` where a position has none.
+    /// The works over an interval; `None` where a position has none, and for a single position.
     fn works(&mut self, [low, high]: [f64; 2]) -> Option<Vec<f64>> {
+        if low >= high {
+            return None;
+        }
         let mut ends = vec![low];
         ends.extend(self.turns([low, high]));
         ends.push(high);

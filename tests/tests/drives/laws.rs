@@ -123,7 +123,11 @@ fn greatest(value: &Value) -> f64 {
 
 #[test]
 fn a_law_over_time_gives_at_each_instant_what_a_prescribed_motion_gives_there() {
-    for (rest, driven, (text, law)) in scenes() {
+    let [four_bar, ..] = scenes();
+    let balanced = (format!("{}\n[balance]\nlink = \"rocker\"\n", four_bar.0), four_bar.1, four_bar.2);
+    let rubbing = "[[friction]]\npair = \"A\"\ncoefficient = 0.2\nradius = 0.01\n[[friction]]\npair = \"C\"\ncoefficient = 0.1\nradius = 0.02\n";
+    let rubbing = (format!("{}\n{rubbing}", four_bar.0), four_bar.1, four_bar.2);
+    for (rest, driven, (text, law)) in scenes().into_iter().chain([balanced, rubbing]) {
         let over_time = positions(&format!("{rest}\n[input]\n{driven}\nover_time = {text}\n{MOTION}"));
         assert_eq!(over_time.len(), 10);
         for at in &over_time {
@@ -137,7 +141,10 @@ fn a_law_over_time_gives_at_each_instant_what_a_prescribed_motion_gives_there() 
                 sign * acceleration
             ));
             assert!(at["balancing"].is_number() && at["reduced"].is_object(), "{driven}: {at}");
-            same(at, &plain[0], 1e-11, &["index", "time"]);
+            // A motion over time has no efficiency of a position.
+            let of_efficiency = ["efficiency", "balancing_without_friction", "friction_certificate"];
+            let but = [&["index", "time"][..], &of_efficiency].concat();
+            same(at, &plain[0], 1e-11, &but);
         }
     }
 }
@@ -173,4 +180,15 @@ fn a_list_of_one_input_gives_the_numbers_of_that_input_alone() {
             }
         }
     }
+}
+
+/// A single position has no way along which friction could work.
+#[test]
+fn friction_in_a_single_position_has_no_work_of_a_cycle() {
+    let [(four_bar, ..), ..] = scenes();
+    let friction = "[[friction]]\npair = \"A\"\ncoefficient = 0.2\nradius = 0.01\n";
+    let input = "[input]\nlink = \"crank\"\nfrom = 1\nto = 1\npositions = 1\n[motion]\nspeed = 2\n";
+    let json = super::results(&format!("{four_bar}\n{input}{friction}"));
+    assert!(json["friction_work"]["A"].is_null(), "{}", json["friction_work"]);
+    assert!(number(&json, "/positions/0/friction/A/power") < 0.0);
 }

@@ -11,8 +11,8 @@ use serde_json::Value;
 
 mod laws;
 
-/// The positions of a scene.
-fn positions(text: &str) -> Vec<Value> {
+/// The results of a scene.
+fn results(text: &str) -> Value {
     let found = || -> Result<Value, Box<dyn std::error::Error>> {
         let mechanism = assur_scene::read("scene.toml", text).map_err(|faults| faults.to_string())?;
         let mut watch = |_: Progress| ControlFlow::Continue(());
@@ -21,8 +21,12 @@ fn positions(text: &str) -> Vec<Value> {
             found.map_err(|error| error.to_string())?.analyze(&mut watch).map_err(|_| "stopped")?;
         Ok(serde_json::from_str(&to_json(&analysis, false)?)?)
     };
-    let json = found().unwrap_or_else(|error| panic!("{error}\n{text}"));
-    json["positions"].as_array().cloned().unwrap_or_default()
+    found().unwrap_or_else(|error| panic!("{error}\n{text}"))
+}
+
+/// The positions of a scene.
+fn positions(text: &str) -> Vec<Value> {
+    results(text)["positions"].as_array().cloned().unwrap_or_default()
 }
 
 fn number(value: &Value, path: &str) -> f64 {
@@ -122,43 +126,45 @@ fn friction_in_a_mechanism_with_two_drives_opposes_motion_and_takes_what_the_dri
         writeln!(text, "[[friction]]\npair = \"{pin}\"\ncoefficient = {coefficient}\nradius = {radius}")
             .unwrap();
     }
-    let all = positions(&text);
+    let found = results(&text);
+    let keys = ["efficiency", "self_braking", "dead_angles"];
+    assert!(keys.iter().all(|key| found.get(key).is_none()), "drives may drive and be driven");
+    let all = found["positions"].as_array().unwrap();
     assert_eq!(all.len(), 9);
     for at in all {
         let speed = |link: &str| {
-            if link == "ground" { 0.0 } else { number(&at, &format!("/velocities/links/{link}")) }
+            if link == "ground" { 0.0 } else { number(at, &format!("/velocities/links/{link}")) }
         };
         let mut lost = 0.0;
         let mut turning = [0.0; 2];
         for (pin, coefficient, radius, owner, link) in JOURNALS {
-            let moment = number(&at, &format!("/friction/{pin}/moment"));
-            let [x, y] = vector(&at, &format!("/reactions/{pin}/{link}"));
+            let moment = number(at, &format!("/friction/{pin}/moment"));
+            let [x, y] = vector(at, &format!("/reactions/{pin}/{link}"));
             let relative = speed(link) - speed(owner);
             let expected = -coefficient * radius * x.hypot(y) * relative.signum();
             close(pin, [moment, expected], 1e-12);
-            let power = number(&at, &format!("/friction/{pin}/power"));
+            let power = number(at, &format!("/friction/{pin}/power"));
             close(pin, [power, expected * relative], 1e-12);
             assert!(power < 0.0, "{pin}: {power}");
             lost += power;
             for (drive, sum) in ["left", "right"].into_iter().zip(&mut turning) {
                 let by = |link: &str| {
-                    if link == "ground" { 0.0 } else { number(&at, &format!("/links/{link}/pf1/{drive}")) }
+                    if link == "ground" { 0.0 } else { number(at, &format!("/links/{link}/pf1/{drive}")) }
                 };
                 *sum += moment * (by(link) - by(owner));
             }
         }
-        let point = |name: &str| vector(&at, &format!("/velocities/points/{name}"));
-        let [acting, size] = powers(&at, point, speed);
-        let given = |drive: &str| number(&at, &format!("/balancing/{drive}"));
+        let point = |name: &str| vector(at, &format!("/velocities/points/{name}"));
+        let [acting, size] = powers(at, point, speed);
+        let given = |drive: &str| number(at, &format!("/balancing/{drive}"));
         let driving: f64 = ["left", "right"]
-            .map(|drive| given(drive) * number(&at, &format!("/speeds/{drive}")))
+            .map(|drive| given(drive) * number(at, &format!("/speeds/{drive}")))
             .iter()
             .sum();
         close("power", [driving + acting + lost, 0.0], 1e-12 * size);
         for (drive, turning) in ["left", "right"].into_iter().zip(turning) {
-            let point = |name: &str| vector(&at, &format!("/points/{name}/pf1/{drive}"));
-            let [acting, size] =
-                powers(&at, point, |link| number(&at, &format!("/links/{link}/pf1/{drive}")));
+            let point = |name: &str| vector(at, &format!("/points/{name}/pf1/{drive}"));
+            let [acting, size] = powers(at, point, |link| number(at, &format!("/links/{link}/pf1/{drive}")));
             close(drive, [given(drive) + acting + turning, 0.0], 1e-12 * size);
         }
     }
@@ -355,4 +361,51 @@ from = -1.1
     close("by two", [number(at, "/links/one/pf1/K:two"), 0.0], 1e-14);
     // The force of the pin on the crank is the weight of both.
     close("pin", [number(at, "/reactions/K/crank/1"), -9.81 * 4.0], 1e-12);
+}
+
+/// A ram whose guide slides along a carriage: both drives act on the carriage.
+#[test]
+fn a_carriage_that_two_drives_push_has_the_load_of_each() {
+    let scene = |angle: &str| {
+        format!(
+            r#"
+gravity = 9.81
+[ground]
+[link.carriage]
+points = {{ C = 0 }}
+mass = 5
+[link.ram]
+points = {{ R = 0 }}
+mass = 2
+[[slide]]
+link = "carriage"
+on = "ground"
+[[slide]]
+link = "carriage"
+on = "ram"
+angle = "{angle}"
+tilt = "-{angle}"
+[[input]]
+link = "carriage"
+over_time = {{ formula = "0.1 + 0.2*t^2" }}
+[[input]]
+slide = "carriage/ram"
+over_time = {{ formula = "0.3 - 0.25*t^2" }}
+[motion]
+until = 1
+samples = 2
+"#
+        )
+    };
+    // The ram moves back as the coordinate grows: its acceleration is that of the carriage and 0.5 along the guide.
+    for (angle, carriage, ram) in
+        [("90 deg", 0.4 * 7.0, -2.0 * (0.5 + 9.81)), ("0 deg", 0.4 * 7.0 + 2.0 * 0.5, -2.0 * 0.9)]
+    {
+        let all = positions(&scene(angle));
+        assert_eq!(all.len(), 3);
+        for at in all {
+            close("carriage", [number(&at, "/balancing/carriage"), carriage], 1e-12);
+            close("ram", [number(&at, "/balancing/carriage~1ram"), ram], 1e-12);
+        }
+    }
 }

@@ -231,7 +231,9 @@ fn forces(found: &Calculation, to: &mut impl Sink) {
     if found.has_friction() {
         friction::frictions(found, to);
     }
-    if found.linkage.kind().is_time() {
+    // A balancing load elsewhere is one load, and leaves the drive nothing.
+    let mechanism = &found.linkage.mechanism;
+    if mechanism.input.kind().is_time() && mechanism.balance.is_none() {
         drives::loads(found, to);
     } else {
         friction::balancing(to);

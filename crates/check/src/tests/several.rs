@@ -6,7 +6,7 @@ mod whole;
 use assur_force::{LoadState, Loads, Reactions};
 use assur_group::{Body, Order};
 use assur_kinematics::Linkage;
-use assur_mechanism::{Range, TimeLaw};
+use assur_mechanism::{Friction, PairId, Range, Surfaces, TimeLaw};
 use assur_testkit::specimen::{Recipe, Rng, scene_text};
 use nalgebra::DVector;
 
@@ -244,4 +244,47 @@ fn a_wrong_load_of_any_drive_is_caught_by_power_and_by_equilibrium() {
         }
     }
     assert!(planted > 120, "{planted}");
+}
+
+#[test]
+fn every_check_holds_with_several_drives_and_friction() {
+    let (mut checked, mut rubbed) = (0, 0);
+    for (seed, (text, linkage, _)) in scenes().take(150) {
+        let mut mechanism = linkage.mechanism;
+        let mut rng = Rng::new(seed);
+        let size = linkage.structure.scale;
+        let pins = mechanism.points.iter().enumerate().filter(|(_, point)| point.is_pin());
+        let journals = pins.map(|(id, point)| {
+            let (radius, owner) = (0.02 * size, rng.pick(&point.places).link);
+            Friction {
+                pair: PairId::Pin(id),
+                coefficient: rng.range(0.05, 0.4),
+                surfaces: Surfaces::Journal { radius, owner },
+            }
+        });
+        mechanism.frictions = journals.collect();
+        let all = checks(&Linkage::compile(mechanism).unwrap());
+        assert!(all.iter().all(|check| !check.finding.failed()), "seed {seed}\n{}\n{text}", show(&all));
+        checked += usize::from(hold(&all));
+        rubbed += usize::from(all.iter().any(|check| check.name.to_string() == "friction of pairs"));
+    }
+    assert!(checked > 140 && rubbed > 140, "{checked} {rubbed}");
+}
+
+#[test]
+fn every_check_holds_with_several_drives_at_rest() {
+    let mut complete = 0;
+    for (seed, (text, linkage, _)) in scenes().take(100) {
+        let mut mechanism = linkage.mechanism;
+        // As of a scene without a motion.
+        (mechanism.motion, mechanism.input.positions, mechanism.input.range) = (None, 1, Range::To(0.0));
+        mechanism.loads.retain(|load| !load.kind.is_against_motion());
+        for spring in mechanism.loads.iter_mut().filter_map(|load| load.kind.spring_mut()) {
+            spring.damping = 0.0;
+        }
+        let all = checks(&Linkage::compile(mechanism).unwrap());
+        assert!(all.iter().all(|check| !check.finding.failed()), "seed {seed}\n{}\n{text}", show(&all));
+        complete += usize::from(hold(&all) && all.len() >= 13);
+    }
+    assert!(complete > 90, "{complete}");
 }

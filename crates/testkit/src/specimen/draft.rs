@@ -154,6 +154,7 @@ impl Draft {
         // The origin of a crank's frame is usually, but not always, in the pin.
         let world = if self.rng.chance(0.6) { self.poses[link].world([0.0; 2]) } else { self.place() };
         let pair = InputPair::Pin(self.pin(link, on, world));
+        let (link, on) = if on != GROUND && self.rng.chance(0.5) { (on, link) } else { (link, on) };
         Drive { link, on, pair, from: self.poses[link].angle - self.poses[on].angle }
     }
 
