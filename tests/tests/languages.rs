@@ -9,6 +9,7 @@ use assur_force::{ForceError, LoadError, LoadFault};
 use assur_group::{BuildError, GroupError, RegistryError};
 use assur_integrator::{Dependence, FixedStep, IntegrationError, MotionError, Request, State, Until};
 use assur_kinematics::{CompileError, PositionError};
+use assur_mechanism::CoordinateKind::{Angle, Length, Time};
 use assur_motor::{
     Characteristic, CharacteristicKind, RatedMotor, SelectionRequest, check_breakdown, check_rms,
     check_rotor_inertia, check_starting, find_designation, parse_table, select,
@@ -195,7 +196,6 @@ fn errors_of_groups_positions_and_loads() {
             parallel: None,
         }
     };
-    use assur_mechanism::CoordinateKind::{Angle, Length, Time};
     let positions = [(None, Angle), (Some([0.1, 0.2]), Length), (Some([0.0, 2.0]), Time)];
     all.extend(positions.map(|(range, kind)| position(range, kind).describe()));
     let source = BuildError::new(text!("group-rrr-no-link", link = 1));

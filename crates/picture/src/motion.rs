@@ -37,8 +37,7 @@ pub fn heading(found: &Found) -> Text {
     match (&found.analysis.no_motion, &found.linkage.mechanism.motion) {
         (Some(reason), _) => not_found(reason, " "),
         (None, None) if !found.linkage.kind().is_time() => text!("motion-none"),
-        (None, None) => Text::default(),
-        (None, Some(_)) => Text::default(),
+        (None, _) => Text::default(),
     }
 }
 

@@ -156,9 +156,8 @@ impl ShakingError {
     pub fn key(&self, mechanism: &Mechanism) -> Option<Key> {
         match self {
             Self::NoCycle => Some(Key::of("input").at("to")),
-            Self::OverTime => Some(Key::of("input")),
             Self::NoMotion if mechanism.motion.is_some() => Some(Key::of("motion").at("kind")),
-            Self::NoMotion => Some(Key::of("input")),
+            Self::NoMotion | Self::OverTime => Some(Key::of("input")),
             Self::NoMass => Some(Key::of("link")),
             Self::Load(error) => error.key(mechanism),
             Self::Position(_) => None,

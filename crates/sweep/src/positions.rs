@@ -244,7 +244,7 @@ impl<'a> Positions<'a> {
                 match (of, alone) {
                     (Gathered::Column(Column::BALANCING), Some(load)) => statistic.push(first + lane, load),
                     (Gathered::BalancingSize(Column::BALANCING), Some(load)) => {
-                        statistic.push(first + lane, load.abs())
+                        statistic.push(first + lane, load.abs());
                     }
                     _ => {}
                 }

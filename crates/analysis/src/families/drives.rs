@@ -2,6 +2,7 @@
 //! drive.
 
 use assur_force::{Cause, power};
+use assur_integrator::Reduced;
 use assur_kinematics::{PointMotion, ScalarMotion};
 use assur_mechanism::Driver;
 use assur_number::{Lanes, Real};
@@ -77,20 +78,29 @@ pub(super) fn reduced(found: &Calculation, to: &mut impl Sink) {
     }
     let all = [Quantity::ReducedInertia, Quantity::ReducedInertiaDerivative, Quantity::ReducedMoment];
     to.always(all.map(|quantity| Column::of(quantity, Owner::Drive(0))), |rows| {
-        let (Some(loads), [bodies]) = (&rows.calculation.loads, &rows.partials[..]) else {
-            return [Lanes::ZERO; 3];
-        };
-        let states = rows.instants.map(|instant| instant.state);
-        let reduced = loads.reduced(&states, bodies);
-        // Which way a load acts follows from the motion in time, its power from the motion with the coordinate.
-        let mut moment = Lanes::ZERO;
-        loads.by_cause(&states, &rows.position.bodies, &mut |cause, link, wrench| {
-            if !matches!(cause, Cause::Inertia(_)) {
-                moment += power(&wrench, &bodies[link]);
-            }
-        });
-        [reduced.inertia, reduced.inertia_derivative, moment]
+        let reduced = by_coordinate(rows);
+        reduced.map_or([Lanes::ZERO; 3], |of| [of.inertia, of.inertia_derivative, of.moment])
     });
+}
+
+/// Inertia and loads reduced to the coordinate of the only drive.
+pub(super) fn by_coordinate(rows: &Rows<'_>) -> Option<Reduced<Lanes>> {
+    let (Some(loads), [bodies]) = (&rows.calculation.loads, &rows.partials[..]) else { return None };
+    let states = rows.instants.map(|instant| instant.state);
+    // Which way a load acts follows from the motion in time, its power from the motion with the coordinate.
+    let mut moment = Lanes::ZERO;
+    loads.by_cause(&states, &rows.position.bodies, &mut |cause, link, wrench| {
+        if !matches!(cause, Cause::Inertia(_)) {
+            moment += power(&wrench, &bodies[link]);
+        }
+    });
+    Some(Reduced { moment, ..loads.reduced(&states, bodies) })
+}
+
+/// Speed and acceleration of the first drive.
+pub(super) fn rates(rows: &Rows<'_>) -> [Lanes; 2] {
+    let driver = rows.calculation.linkage.mechanism.input.first();
+    [1, 2].map(|order| rows.of_law(driver, order))
 }
 
 /// The load of each drive: a moment, or a force along the guide.

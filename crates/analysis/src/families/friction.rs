@@ -59,14 +59,37 @@ pub(super) fn efficiencies(found: &Calculation, to: &mut impl Sink) {
     let unit = |rows: &Rows<'_>| {
         UnitBalance::of(&found.linkage.mechanism).map(|unit| unit.power(&rows.position.bodies))
     };
+    // Several drives have no efficiency in common.
+    if !found.linkage.mechanism.input.is_list {
+        efficiency_of_one(found, unit, to);
+    }
+    for group in super::solved(found) {
+        let section = to.section(false);
+        to.put(section, [Column::of(Quantity::FrictionCertificate, Owner::Group(group))], |rows| {
+            let (friction, determined) = rows.friction()?;
+            let radius = friction.certificates[group];
+            Some(([radius], std::array::from_fn(|lane| determined[lane] && radius.0[lane].is_finite())))
+        });
+    }
+}
+
+/// The balancing load without friction, and the efficiency.
+fn efficiency_of_one(found: &Calculation, unit: impl Fn(&Rows<'_>) -> Option<Lanes>, to: &mut impl Sink) {
     let [ideal, determined] = [to.section(false), to.section(false)];
     to.put(ideal, [Column::of(Quantity::IdealBalancing, Owner::Input)], |rows| {
-        let ideal = rows.reduced.as_ref().map_or(Lanes::ZERO, |reduced| {
-            let (speed, acceleration) =
-                (rows.state(|state| state.speed), rows.state(|state| state.acceleration));
+        let is_timed = found.linkage.kind().is_time();
+        let reduced = if is_timed { super::drives::by_coordinate(rows) } else { rows.reduced };
+        let ideal = reduced.map_or(Lanes::ZERO, |reduced| {
+            let [speed, acceleration] = if is_timed {
+                super::drives::rates(rows)
+            } else {
+                [rows.state(|state| state.speed), rows.state(|state| state.acceleration)]
+            };
             let slope = reduced.inertia_derivative.half() * speed * speed;
             let drive = reduced.inertia * acceleration + slope - reduced.moment;
-            unit(rows).map_or(drive, |unit| drive / unit)
+            // A load elsewhere moves as the coordinate does.
+            let bodies = if is_timed { &rows.partials[0] } else { &rows.position.bodies };
+            UnitBalance::of(&found.linkage.mechanism).map_or(drive, |unit| drive / unit.power(bodies))
         });
         Some(([ideal], ideal.0.map(f64::is_finite)))
     });
@@ -78,14 +101,6 @@ pub(super) fn efficiencies(found: &Calculation, to: &mut impl Sink) {
         let of = |lane: usize| efficiency(driving.0[lane], -power.0[lane]).filter(|_| determined[lane]);
         some(std::array::from_fn(of))
     });
-    for group in super::solved(found) {
-        let section = to.section(false);
-        to.put(section, [Column::of(Quantity::FrictionCertificate, Owner::Group(group))], |rows| {
-            let (friction, determined) = rows.friction()?;
-            let radius = friction.certificates[group];
-            Some(([radius], std::array::from_fn(|lane| determined[lane] && radius.0[lane].is_finite())))
-        });
-    }
 }
 
 /// Forces and moments of the pins and slides.

@@ -209,8 +209,7 @@ fn positions(found: &Calculation, moves: bool, has_forces: bool, to: &mut impl S
     if has_forces {
         forces(found, to);
         // The efficiency of a motion over time would be 0/0 at rest.
-        let is_timed = found.linkage.kind().is_time();
-        if !is_timed && found.has_forces() && found.has_friction() && found.positions_have_forces() {
+        if found.has_forces() && found.has_friction() && found.positions_have_forces() {
             friction::efficiencies(found, to);
         }
     }

@@ -36,9 +36,10 @@ fn link(schema: &Schema, column: Column) -> &str {
 
 /// The name of the drive to which a column belongs, or with respect to whose coordinate it is derived, where results name each.
 fn drive(schema: &Schema, column: Column) -> Option<&str> {
-    let index = match (column.quantity, column.owner) {
-        (Quantity::Partial { drive, .. }, _) | (_, Owner::Drive(drive)) => drive,
-        _ => return None,
+    let ((Quantity::Partial { drive: index, .. }, _) | (_, Owner::Drive(index))) =
+        (column.quantity, column.owner)
+    else {
+        return None;
     };
     schema.drives.get(index).filter(|_| schema.names_drives).map(|(name, _)| name.as_str())
 }

@@ -58,10 +58,11 @@ fn of_pairs(source: &Source<'_>, page: &mut Document) {
 /// Balancing load without friction, efficiency, and the certificate of each group, in the shown positions.
 fn efficiency(source: &Source<'_>, page: &mut Document) {
     let of = |quantity| Values::of(quantity, Owner::Input);
-    let mut columns = vec![
-        source.headed(text!("head-ideal-balancing"), of(Quantity::IdealBalancing)),
-        source.headed(text!("head-efficiency"), of(Quantity::Efficiency)),
-    ];
+    let mut columns = Vec::new();
+    if !source.mechanism.input.is_list {
+        columns.push(source.headed(text!("head-ideal-balancing"), of(Quantity::IdealBalancing)));
+        columns.push(source.headed(text!("head-efficiency"), of(Quantity::Efficiency)));
+    }
     for owner in source.owners(Quantity::FrictionCertificate, |_| true) {
         let values = Values::of(Quantity::FrictionCertificate, owner);
         let group = catalogue::owner(source.positions.schema(), values);
