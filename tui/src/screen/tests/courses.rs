@@ -59,12 +59,13 @@ fn shares(json: &Value, links: &[&str], into: &mut Vec<Points>) {
     let known = |link: &&str| positions[0]["reduced"]["inertia_of_links"].get(*link).is_some();
     let links: Vec<&str> = links.iter().copied().filter(known).collect();
     for count in 0..=links.len() {
+        // With a list of inputs there is no coordinate, and no reduced inertia.
         let point = |row: &Value| {
             let shares = &row["reduced"]["inertia_of_links"];
             let sum: f64 = links[..count].iter().map(|link| shares[*link].as_f64().unwrap()).sum();
-            [row["coordinate"].as_f64().unwrap(), drive + sum]
+            Some([row["coordinate"].as_f64()?, drive + sum])
         };
-        into.push(positions.iter().map(point).collect());
+        into.push(positions.iter().filter_map(point).collect());
     }
 }
 
@@ -72,6 +73,7 @@ fn shares(json: &Value, links: &[&str], into: &mut Vec<Points>) {
 fn courses(json: &Value, links: &[&str]) -> Vec<Points> {
     let mut all = Vec::new();
     over(&json["positions"], "coordinate", &mut all);
+    over(&json["positions"], "time", &mut all);
     over(&json["trajectory"], "coordinate", &mut all);
     over(&json["trajectory"], "time", &mut all);
     let regime = &json["dynamics"]["regime"];
