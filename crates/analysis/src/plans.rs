@@ -204,8 +204,10 @@ fn greatest(survey: &Survey, wanted: impl Fn(PairId) -> bool) -> f64 {
 struct Shares {
     /// Owners of the forces and moments, in the order of the reactions.
     wanted: Vec<(Column, PairId, Option<LinkId>)>,
+    /// The balancing loads.
+    balancing: Vec<Column>,
     causes: Vec<Name>,
-    /// The number of a position, and by cause its numbers: the wanted ones, then the balancing load.
+    /// The number of a position, and by cause its numbers: the wanted ones, then the balancing loads.
     rows: Vec<(usize, BTreeMap<usize, Vec<f64>>)>,
 }
 
@@ -217,7 +219,9 @@ impl Shares {
             (Quantity::Moment, Owner::Pair(pair)) => Some((*column, pair, None)),
             _ => None,
         });
-        Self { wanted: wanted.collect(), causes: Vec::new(), rows: Vec::new() }
+        let balances = |column: &&Column| column.quantity == Quantity::Balancing && column.cause.is_none();
+        let balancing = positions.schema().columns().iter().filter(balances).copied().collect();
+        Self { wanted: wanted.collect(), balancing, causes: Vec::new(), rows: Vec::new() }
     }
 
     fn add(&mut self, number: usize, shares: &[Share]) {
@@ -246,7 +250,8 @@ impl Shares {
                 };
                 value.unwrap_or(0.0)
             };
-            row.insert(cause, self.wanted.iter().map(value).chain([share.balancing]).collect());
+            let loads = self.balancing.iter().zip(share.balancing_loads());
+            row.insert(cause, self.wanted.iter().map(value).chain(loads.map(|(_, load)| *load)).collect());
         }
         self.rows.push((number, row));
     }
@@ -256,11 +261,10 @@ impl Shares {
         schema.causes = self.causes;
         for cause in 0..schema.causes.len() {
             let section = schema.section();
-            let balancing = Column { cause: Some(cause), ..Column::BALANCING };
-            let forces = self.wanted.iter().map(|(column, ..)| Column { cause: Some(cause), ..*column });
-            schema.add(section, forces.chain([balancing]));
+            let forces = self.wanted.iter().map(|(column, ..)| column).chain(&self.balancing);
+            schema.add(section, forces.map(|column| Column { cause: Some(cause), ..*column }));
         }
-        let (causes, count) = (schema.causes.len(), self.wanted.len() + 1);
+        let (causes, count) = (schema.causes.len(), self.wanted.len() + self.balancing.len());
         let mut table = Table::new(Arc::new(schema));
         for (number, row) in self.rows {
             let of = |cause| (0..count).map(move |column| (cause, column));

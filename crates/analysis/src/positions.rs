@@ -65,6 +65,7 @@ impl Calculation {
                 link: mechanism.named_link(driver.link),
                 pair: driver.is_relative().then(|| mechanism.named_pair(driver.pair_id())),
                 kind: self.linkage.kind(),
+                angular: !mechanism.input.is_list && mechanism.input.first().is_angle(),
                 balancing_is_moment: mechanism.balances_by_moment(),
             },
             structure: crate::results::structure::report(&self.linkage, !self.plan.is_partial()),

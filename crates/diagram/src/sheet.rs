@@ -129,6 +129,9 @@ pub struct Share {
 /// Reactions by cause at one position.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Split {
+    /// What drives, in the order of the [loads that balance](Share::balancing_loads); empty where there is one such load.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub drives: Vec<Text>,
     /// Under all loads at once.
     pub whole: Share,
     /// By cause: weight, inertia, then each load by its name, then the dry friction of the pairs as it was found. Causes without effect here are listed too.
@@ -159,8 +162,7 @@ pub fn split(
         let (mut wrenches, mut out) =
             (Acting::total(acting, linkage.structure.links), Reactions::new(linkage));
         solve_by(analyzer, linkage, position, &mut wrenches, &mut out)?;
-        let (reactions, balancing) = (joint_forces(linkage, &out), out.balancing);
-        Ok(Share { cause: told, reactions, balancing, drives: out.drives })
+        Ok(Share::of(told, linkage, out))
     };
     let mut whole = solve(text!("plan-all-causes"), None)?;
     let ideal = whole.clone();
@@ -168,15 +170,31 @@ pub fn split(
     let mut shares = each.collect::<Result<Vec<_>, _>>()?;
     if loads.frictions().is_some() {
         let out = reactions(linkage, position, loads, state, analyzer)?;
-        (whole.reactions, whole.balancing) = (joint_forces(linkage, &out), out.balancing);
-        whole.drives = out.drives;
+        whole = Share::of(whole.cause, linkage, out);
         shares.push(Share::of_friction(&whole, &ideal));
     }
     let residual = residual(&whole, &shares);
-    Ok(Split { whole, shares, residual })
+    let drives = match whole.drives.len() {
+        0 | 1 => Vec::new(),
+        _ => linkage.mechanism.input.drivers.iter().map(|driver| driver.label.clone().into()).collect(),
+    };
+    Ok(Split { drives, whole, shares, residual })
 }
 
 impl Share {
+    /// What was found under the loads of a cause.
+    pub fn of(cause: Text, linkage: &Linkage, found: Reactions) -> Self {
+        let reactions = joint_forces(linkage, &found);
+        // A balancing load elsewhere leaves the drives idle.
+        let drives = if found.unit.is_none() { found.drives } else { Vec::new() };
+        Self { cause, reactions, balancing: found.balancing, drives }
+    }
+
+    /// The loads that balance, N m or N: of each drive over time, else the balancing load.
+    pub fn balancing_loads(&self) -> &[f64] {
+        if self.drives.is_empty() { std::slice::from_ref(&self.balancing) } else { &self.drives }
+    }
+
     /// What the friction that was found adds to the reactions of ideal pairs.
     fn of_friction(whole: &Self, ideal: &Self) -> Self {
         let each = whole.reactions.iter().zip(&ideal.reactions).map(|(whole, ideal)| JointForce {

@@ -44,3 +44,4 @@ vector-normal = normal component
 vector-tangential = tangential component
 vector-coriolis = Coriolis component
 force-without-passive = it does not support passive links
+force-without-time = it needs a single input without `over_time`

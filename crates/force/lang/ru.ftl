@@ -44,3 +44,4 @@ vector-normal = нормальная составляющая
 vector-tangential = тангенциальная составляющая
 vector-coriolis = составляющая Кориолиса
 force-without-passive = он не поддерживает пассивные звенья
+force-without-time = ему нужен один вход без `over_time`

@@ -44,3 +44,4 @@ vector-normal = нормальна складова
 vector-tangential = тангенціальна складова
 vector-coriolis = складова Коріоліса
 force-without-passive = він не підтримує пасивних ланок
+force-without-time = він потребує одного входу без `over_time`

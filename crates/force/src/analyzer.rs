@@ -16,6 +16,11 @@ pub trait ForceAnalyzer: std::fmt::Debug + Send + Sync {
         false
     }
 
+    /// Whether the method supports mechanisms whose coordinate is the time, of which each drive has a load.
+    fn treats_time(&self) -> bool {
+        true
+    }
+
     /// Whether the method supports this mechanism.
     ///
     /// # Errors
@@ -119,6 +124,9 @@ impl AnalyzerPlugin {
         }
         if !linkage.structure.passive.is_empty() && !self.instance.treats_passive() {
             return Err(text!("force-without-passive"));
+        }
+        if linkage.kind().is_time() && !self.instance.treats_time() {
+            return Err(text!("force-without-time"));
         }
         self.instance.supports(linkage)
     }

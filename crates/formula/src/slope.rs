@@ -73,6 +73,10 @@ impl<N: Signed> Number for Dual<N> {
 
     fn power(self, exponent: Self) -> Self {
         let value = self.value.power(exponent.value);
+        if exponent.value.is_zero() && exponent.slope.is_zero() {
+            // 1, of a base of zero too, where the rule would give 0 times 1/0.
+            return Self { value, slope: N::of(0.0) };
+        }
         let less = exponent.value.add(N::of(-1.0));
         let by_base = self.through(value, exponent.value.multiply(self.value.power(less)));
         let logarithm = || value.multiply(self.value.call(Function::Ln));

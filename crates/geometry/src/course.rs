@@ -180,15 +180,45 @@ impl<'a, const N: usize> VectorCourse<'a, N> {
             })?;
             let motion = self.at(coordinate, i, &mut position)?;
             if product(&motion[1], &motion[1]).sqrt() <= zero {
-                let reverses = product(&pair[0][1], &pair[1][1]) < 0.0;
+                // At rest in a sample, the motion goes on as in the next one.
+                let rests = product(&pair[1][1], &pair[1][1]).sqrt() <= zero;
+                let after = self.samples.get(i + 2).filter(|_| rests).unwrap_or(&pair[1]);
+                let reverses = product(&pair[0][1], &after[1]) < 0.0;
                 found.push(Rest { coordinate: self.cycle.inside(coordinate), reverses });
             }
         }
+        self.add_turns_at_jumps(zero, &mut found)?;
         let input = &self.cycle.linkage.mechanism.input;
         found.sort_by(|a, b| (input.sign() * a.coordinate).total_cmp(&(input.sign() * b.coordinate)));
         Ok(found)
     }
 }
+
+impl<const N: usize> VectorCourse<'_, N> {
+    /// Adds the instants at which the speed of a drive jumps and the motion goes back from there: they are no rests. `zero`: a derivative
+    /// up to which nothing moves.
+    fn add_turns_at_jumps(&self, zero: f64, found: &mut Vec<Rest>) -> Result<(), PositionError> {
+        let (input, samples) = (&self.cycle.linkage.mechanism.input, &self.cycle.samples);
+        let [from, to] = [0, samples.len() - 1].map(|sample| samples[sample].coordinate);
+        let beside = BESIDE_JUMPS * (to - from);
+        let mut position = self.cycle.linkage.position();
+        let laws = input.drivers.iter().filter_map(|driver| driver.law.as_ref());
+        for (time, _) in laws.flat_map(|law| law.breaks().take(INTERVALS)) {
+            let sample = samples.partition_point(|sample| sample.coordinate < time).min(samples.len() - 1);
+            let before = self.at(time - beside, sample, &mut position)?[1];
+            let after = self.at(time + beside, sample, &mut position)?[1];
+            let moves = [before, after].iter().all(|rate| product(rate, rate).sqrt() > zero);
+            let is_known = found.iter().any(|rest| (rest.coordinate - time).abs() <= beside);
+            if moves && !is_known && product(&before, &after) < 0.0 {
+                found.push(Rest { coordinate: time, reverses: true });
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Part of the motion by which the speeds on either side of a jump are taken beside it: more than that within which an instant is at it.
+const BESIDE_JUMPS: f64 = 1e-7;
 
 fn product<const N: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()

@@ -54,7 +54,9 @@ pub fn parts(split: &Split, reaction: &Reaction) -> Vec<CauseShare> {
 pub fn part(share: &Share, reaction: &Reaction) -> CauseShare {
     let cause = share.cause.clone();
     let Some((pair, link)) = &reaction.of else {
-        return CauseShare { cause, force: None, scalar: Some(share.balancing) };
+        // Several drives have no load in common.
+        let scalar = <[f64; 1]>::try_from(share.balancing_loads()).ok().map(|[load]| load);
+        return CauseShare { cause, force: None, scalar };
     };
     let here = |force: &&JointForce| force.joint.id == pair.id && force.on.id == link.id;
     let found = share.reactions.iter().find(here);

@@ -290,6 +290,7 @@ report-by-coordinate = { $what }, by the coordinate of { $drive }
 report-drives = Drives
 report-loads-of-drives = Loads of the drives
 report-loads-of-drives-table = Loads of the drives: moments or forces along the guides
+report-load-of-drive = Load of the drive { $drive }: a moment, or a force along the guide
 report-transfer = Transfer functions (derivatives with respect to the input coordinate)
 report-rates = Velocities and accelerations
 report-input = Input

@@ -297,6 +297,7 @@ report-by-coordinate = { $what } по координате { $drive }
 report-drives = Приводы
 report-loads-of-drives = Нагрузки приводов
 report-loads-of-drives-table = Нагрузки приводов: моменты или силы вдоль направляющих
+report-load-of-drive = Нагрузка привода { $drive }: момент или сила вдоль направляющей
 report-transfer = Передаточные функции (производные по обобщённой координате)
 report-rates = Скорости и ускорения
 report-input = Входное звено

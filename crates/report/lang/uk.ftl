@@ -297,6 +297,7 @@ report-by-coordinate = { $what } за координатою { $drive }
 report-drives = Приводи
 report-loads-of-drives = Навантаження приводів
 report-loads-of-drives-table = Навантаження приводів: моменти або сили вздовж напрямних
+report-load-of-drive = Навантаження приводу { $drive }: момент або сила вздовж напрямної
 report-transfer = Передавальні функції (похідні за узагальненою координатою)
 report-rates = Швидкості та прискорення
 report-input = Вхідна ланка

@@ -58,6 +58,7 @@ fn analysis(angle: f64) -> Analysis {
             link: Named { id: 1, name: "größe".into() },
             pair: None,
             kind: assur_mechanism::CoordinateKind::Angle,
+            angular: true,
             balancing_is_moment: true,
         },
         structure: StructureReport {

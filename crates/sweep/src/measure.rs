@@ -171,7 +171,7 @@ columns! {
 }
 
 /// Measures that need one coordinate of the mechanism.
-pub(crate) const BY_COORDINATE: [&str; 2] = ["time-ratio", "pf"];
+pub(crate) const BY_COORDINATE: [&str; 3] = ["time-ratio", "pf", "shaking"];
 
 /// Written where no measures are named.
 const BY_DEFAULT: bool = true;

@@ -108,6 +108,10 @@ fn singular(linkage: &Linkage, coordinate: f64, health: f64) -> ForceError {
 }
 
 impl ForceAnalyzer for Longitudinal {
+    fn treats_time(&self) -> bool {
+        false
+    }
+
     fn supports(&self, linkage: &Linkage) -> Result<(), Text> {
         Layout::of(linkage).map(|_| ())
     }

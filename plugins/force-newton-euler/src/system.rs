@@ -256,7 +256,7 @@ impl<'a> System<'a> {
         let slides = slides.collect();
         let drivers = &self.mechanism.input.drivers;
         let loads = &columns[2 * self.unknowns.len()..];
-        let balancing = if self.mechanism.input.sole().is_some() {
+        let balancing = if self.mechanism.input.sole().is_some() || self.mechanism.balance.is_some() {
             let last = loads.first().copied().unwrap_or(f64::NAN);
             if self.mechanism.balances_by_moment() { last * self.scale } else { last }
         } else {

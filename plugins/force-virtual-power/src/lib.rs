@@ -54,6 +54,10 @@ fn balancing(
 }
 
 impl ForceAnalyzer for VirtualPower {
+    fn treats_time(&self) -> bool {
+        false
+    }
+
     fn solve(
         &self,
         linkage: &Linkage,

@@ -100,8 +100,10 @@ pub struct InputReport {
     /// The pair in which it is driven against another moving link; `None` where it is driven against the ground.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub pair: Option<Named<PairId>>,
-    /// Whether the coordinate is an angle (rad); otherwise a displacement (m), or the time (s).
-    #[serde(rename = "angular")]
+    /// Whether the coordinate of the drive is an angle (rad); otherwise a displacement (m), or, of several drives, the time (s).
+    pub angular: bool,
+    /// What the coordinate is.
+    #[serde(skip)]
     pub kind: CoordinateKind,
     /// Whether the balancing load is a moment (N m), otherwise a force (N).
     pub balancing_is_moment: bool,

@@ -120,7 +120,7 @@ fn several_drives_move_and_load_a_mechanism_as_an_independent_solution_does() {
     println!("{compared:?}, {relative} drives between moving links, {kinds:?}");
     assert!(compared.judged > compared.all / 20 * 19, "{compared:?}");
     assert!(relative > MECHANISMS / 2, "{relative}");
-    let dyads = ["driven", "rrr", "rpr", "prp", "rrp", "rpp"];
+    let dyads = ["driven-link", "rrr", "rpr", "prp", "rrp", "rpp"];
     assert!(dyads.iter().all(|kind| kinds.contains(kind)) && kinds.len() > 20, "{kinds:?}");
 }
 

@@ -1,6 +1,6 @@
 //! The results of a scene as CSV: one file for the positions, one for reactions, one for the motion over time.
 
-use assur_analysis::results::{Analysis, Column, Quantity, Schema, Table};
+use assur_analysis::results::{Analysis, Column, Owner, Quantity, Schema, Table};
 
 use super::{CsvError, header, number};
 use crate::template::{Template, Templates};
@@ -27,7 +27,8 @@ pub fn of_positions(analysis: &Analysis, ascii: bool) -> Vec<CsvTable> {
     let has = |column: usize| analysis.survey.has(schema.section_of(column)) || schema.is_nullable(column);
     let sheet = |file, columns| CsvTable { file, columns, numbered: true, ascii };
     let mut sheets = vec![sheet(FILES[0], places(schema, &has))];
-    if schema.find(Column::BALANCING).is_some_and(has) {
+    let balances = |column: &Column| column.quantity == Quantity::Balancing && column.cause.is_none();
+    if schema.select(balances).into_iter().any(has) {
         sheets.push(sheet(FILES[1], reactions(schema, &has)));
     }
     sheets
@@ -59,8 +60,13 @@ fn places(schema: &Schema, has: &Has<'_>) -> Vec<(usize, String)> {
 }
 
 fn reactions(schema: &Schema, has: &Has<'_>) -> Vec<(usize, String)> {
-    // The balancing load stands before the reactions.
-    let is_first = |column: Column| column == Column::COORDINATE || column.quantity == Quantity::Balancing;
+    // The balancing load stands before the reactions, the coordinate (over time those of all drives) before it.
+    let is_coordinate = |column: Column| {
+        column == Column::COORDINATE
+            || schema.find(column) == schema.find(Column::COORDINATE)
+            || matches!((column.quantity, column.owner), (Quantity::Transfer(0), Owner::Drive(_)))
+    };
+    let is_first = |column: Column| is_coordinate(column) || column.quantity == Quantity::Balancing;
     let mut all = shown(schema, has, is_first);
     all.extend(shown(schema, has, |column| is_reaction(column) && !is_first(column)));
     all

@@ -177,8 +177,15 @@ pub(super) fn causes(source: &Source<'_>, page: &mut Document) {
         let caption = pair_on(source, pair, link);
         page.table(source.table(caption, text!("head-cause"), all().map(share)));
     }
-    let share = |(cause, head)| source.headed(head, Values { cause, ..Values::BALANCING });
-    page.table(Table::over(text!("report-balancing"), source.keys(), all().map(share).collect()));
+    for owner in schema.owners(Quantity::Balancing) {
+        let share =
+            |(cause, head)| source.headed(head, Values { cause, ..Values::of(Quantity::Balancing, owner) });
+        let caption = match owner {
+            Owner::Drive(_) => text!("report-load-of-drive", drive = source.name(owner)),
+            _ => text!("report-balancing"),
+        };
+        page.table(Table::over(caption, source.keys(), all().map(share).collect()));
+    }
 }
 
 /// The heads of projections and modulus of a reaction.

@@ -78,7 +78,7 @@ fn causes(split: &Split, page: &mut Document) {
     let shares = || split.shares.iter().chain([&split.whole]);
     let force =
         without_rounding(shares().flat_map(|share| &share.reactions).flat_map(|reaction| reaction.force));
-    let balancing = without_rounding(shares().map(|share| share.balancing));
+    let balancing = without_rounding(shares().flat_map(|share| share.balancing_loads().iter().copied()));
     let heads = [text!("head-cause"), text!("head-pair"), text!("head-on")].map(Column::of);
     let heads = heads.into_iter().chain(force_heads());
     let residual = number(format_args!("{:.1e}", split.residual));
@@ -89,8 +89,11 @@ fn causes(split: &Split, page: &mut Document) {
             let size = force(fx.hypot(*fy));
             table.row(row![cause(), Text::from(joint), Text::from(on), force(*fx), force(*fy), size]);
         }
-        let load = balancing(share.balancing);
-        table.row(row![cause(), text!("plan-balancing"), Cell::None, Cell::None, Cell::None, load]);
+        for (drive, load) in share.balancing_loads().iter().enumerate() {
+            let (on, load) = (split.drives.get(drive).cloned(), balancing(*load));
+            let on = on.map_or(Cell::None, Cell::Text);
+            table.row(row![cause(), text!("plan-balancing"), on, Cell::None, Cell::None, load]);
+        }
     }
     page.table(table);
 }
