@@ -74,6 +74,11 @@ impl Perturbation {
         }
     }
 
+    /// The time, in which the terms of the laws over it are rounded: a law is off as at a time that is.
+    pub(crate) fn time<T: Real>(&mut self, time: T) -> T {
+        time + T::from_f64(self.next() * time.to_f64().abs())
+    }
+
     /// The ground is at rest exactly, but its pins and guides are data.
     pub(crate) fn ground<T: Real>(&mut self, body: &mut Body<T>) {
         self.place(body, 0);

@@ -146,6 +146,7 @@ impl<'a, T: Precision> Differences<'a, T> {
         let Self { perturbation, perturbed, subject, .. } = self;
         let chain = &perturbed[usize::try_from(trial).ok()?];
         let mut bodies = start.to_vec();
+        let q = if subject.linkage.kind().is_time() { perturbation.time(q) } else { q };
         chain.set_input(q, &mut bodies);
         for input in subject.linkage.mechanism.input.placed() {
             perturbation.link(&mut bodies[input], input);
