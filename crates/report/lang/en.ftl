@@ -472,6 +472,7 @@ explain-derivatives-constraints = derivatives of the constraints of each group w
 explain-derivatives-both = derivatives of the closed forms of each group with respect to the input coordinate, of the constraints where a kind iterates, not by differences
 explain-derivatives-closed = derivatives of the closed forms of each group with respect to the input coordinate, not by differences
 explain-rates = v = PF1 w, a = PF2 w^2 + PF1 e
+explain-rates-over-time = derivatives of the closed forms of each group with respect to time, from speeds and accelerations of the drives by their laws
 explain-order-0 = orders up to 0: nothing that is asked for needs derivatives; saves PF1 and PF2 of { $groups ->
         [one] { $groups } group
        *[other] { $groups } groups
@@ -495,6 +496,8 @@ explain-reduced-constant = J and Q of all moving links and loads make the equati
 explain-stage-motion = equation of motion
 explain-no-motion = no motion is given
 explain-prescribed = speed and acceleration are prescribed; `kind = "transient"` or "steady" would find them
+explain-given-over-time = the laws of the drives over time give the motion
+explain-no-common-coordinate = several drives have no coordinate in common to which masses and loads could be reduced
 explain-transient = the motion follows from an initial state
 explain-integrator = integrator `{ $method }`
 explain-steady = the periodic regime is sought: J w dw/dq + J' w^2/2 = Q + M over one cycle
@@ -537,6 +540,7 @@ explain-input-loads = a load of each drive: { $link }
 explain-input-moment = a moment on the input link `{ $link }`
 explain-input-force = a force on the input link `{ $link }`
 explain-equilibrium-of-input = equilibrium of the input link, which comes last
+explain-equilibrium-of-driven = equilibrium of the links that are driven, after all reactions are known
 explain-stage-checks = checks
 explain-checks-need-all = `[output]` leaves groups out; the checks need the whole mechanism (`assur check`)
 explain-residuals = the residuals show how far the numbers can be trusted
@@ -577,6 +581,7 @@ model-weights-how = gravity ({ $gravity })
 model-motion = motion
 model-prescribed = speed and acceleration of the input are prescribed, the same in every position; time counts from the first position and follows from both
 model-prescribed-with-inertia = speed and acceleration of the input are prescribed, the same in every position; time counts from the first position and follows from both; inertia loads follow from them
+model-laws-over-time = the laws of the drives give coordinates, speeds and accelerations; the time counts from 0; inertia loads follow from them
 model-transient = found from the initial state by the equation of motion, from masses and loads
 model-steady = the periodic regime: the speed repeats after every cycle; run-up is not considered
 model-against-motion = always against the motion of its point
@@ -626,16 +631,19 @@ missing-velocities = velocities and inertia loads
 missing-velocities-how = the scene gives no motion; add `[motion]` with a speed
 missing-fluctuation = fluctuation of the input speed
 missing-fluctuation-how = the motion is prescribed, whatever moment it takes; `kind = "steady"` or "transient" in `[motion]` finds the speed from masses and loads
+missing-fluctuation-over-time = the laws of the drives are kept, whatever loads they take; a single input without `over_time` may have `kind = "steady"` or "transient" in `[motion]`, which finds the speed from masses and loads
 missing-run-up = run-up and run-down
 missing-run-up-how = only the periodic regime is considered; `kind = "transient"` in `[motion]` follows the motion from an initial state
 missing-loads = working loads
 missing-loads-how = the scene gives none; add `[[force]]`, `[[moment]]`, `[[spring]]` or `[[contact]]`
 missing-damping = damping, resistance of air and oil
 missing-damping-how = the scene gives none; add a `[[spring]]` with `damping`, or a load over the speed
+missing-damping-over-time = the scene gives none; add a `[[spring]]` with `damping`
 missing-drive = motor, reducer, rotor inertia, drive losses and flywheel
 missing-drive-useless = `[drive]` has no use with a motion that is prescribed or absent; take `kind = "steady"` or "transient"
 missing-drive-how = the scene gives no drive; add `[drive]` with `motor` and `flywheel`
 missing-drive-prescribed = the input is moved as it is prescribed, by the balancing load; add `[drive]` with `motor` and `flywheel`, and `kind = "steady"` or "transient" to `[motion]`
+missing-drive-over-time = the drives move as their laws say, by the loads that are found; only a single input without `over_time` may have `[drive]`
 missing-rotor = rotor inertia
 missing-rotor-how = the rated data give none; add `inertia` to `motor`
 missing-rotor-of-catalogue = the catalogue gives none for this motor; give the motor by its data: `motor = {"{"} power, ..., inertia {"}"}`
@@ -654,7 +662,7 @@ missing-friction-given = the pairs are ideal, so their reactions do no work, and
 missing-friction-elsewhere = friction in the other pairs
 missing-friction-elsewhere-how = pairs without a `[[friction]]` are ideal: their reactions do no work
 missing-elasticity = elasticity of links
-missing-elasticity-how = the links are rigid; an elastic part can be two links with a `[[spring]]` between them only where the mobility stays 1
+missing-elasticity-how = the links are rigid; an elastic part can be two links with a `[[spring]]` between them only where the mobility stays the same
 missing-clearance = clearance in pairs, impacts
 missing-clearance-how = pins and guides fit exactly; it can't be included (where a force in a guide changes its sign, the results report it)
 missing-spatial = forces out of the plane

@@ -473,6 +473,7 @@ explain-derivatives-constraints = похідні рівнянь в'язей ко
 explain-derivatives-both = похідні замкнених формул кожної групи за узагальненою координатою, а де вид ітераційний — рівнянь в'язей, не різниці
 explain-derivatives-closed = похідні замкнених формул кожної групи за узагальненою координатою, не різниці
 explain-rates = v = ПФ1 w, a = ПФ2 w^2 + ПФ1 e
+explain-rates-over-time = похідні замкнених розв’язків кожної групи за часом, за швидкостями та прискореннями приводів з їхніх законів
 explain-order-0 = порядки до 0: ніщо із запитаного не потребує похідних; заощаджено ПФ1 і ПФ2, груп: { $groups }
 explain-order-1 = порядки до 1, для: { $what }; ПФ2 ні для чого не потрібна; заощаджено ПФ2, груп: { $groups }
 explain-order-2 = порядки до 2, для: { $what }
@@ -490,6 +491,8 @@ explain-reduced-constant = J і Q усіх рухомих ланок і нава
 explain-stage-motion = рівняння руху
 explain-no-motion = рух не задано
 explain-prescribed = швидкість і прискорення задано; `kind = "transient"` або "steady" знайшли б їх
+explain-given-over-time = рух задано законами приводів за часом
+explain-no-common-coordinate = кілька приводів не мають спільної координати, до якої можна було б звести маси й навантаження
 explain-transient = рух визначається початковим станом
 explain-integrator = метод інтегрування `{ $method }`
 explain-steady = шукається усталений режим: J w dw/dq + J' w^2/2 = Q + M за один цикл
@@ -532,6 +535,7 @@ explain-input-loads = навантаження кожного приводу: { 
 explain-input-moment = момент на вхідній ланці { $link }
 explain-input-force = сила на вхідній ланці { $link }
 explain-equilibrium-of-input = рівновага вхідної ланки, останньої в порядку розв'язання
+explain-equilibrium-of-driven = рівновага приводних ланок, коли всі реакції відомі
 explain-stage-checks = перевірки
 explain-checks-need-all = `[output]` пропускає групи; перевіркам потрібен увесь механізм (`assur check`)
 explain-residuals = нев'язки показують, наскільки можна довіряти числам
@@ -554,6 +558,7 @@ model-weights-how = прискорення вільного падіння ({ $g
 model-motion = рух
 model-prescribed = швидкість і прискорення вхідної ланки задано, однакові в кожному положенні; час відлічується від першого положення й визначається ними
 model-prescribed-with-inertia = швидкість і прискорення вхідної ланки задано, однакові в кожному положенні; час відлічується від першого положення й визначається ними; з них випливають і сили інерції
+model-laws-over-time = координати, швидкості та прискорення задано законами приводів; час відлічується від 0; з них випливають сили інерції
 model-transient = знаходиться з початкового стану за рівнянням руху, з мас і навантажень
 model-steady = усталений режим: швидкість повторюється щоцикла, розбіг не розглядається
 model-against-motion = завжди проти руху її точки
@@ -603,16 +608,19 @@ missing-velocities = швидкості та сили інерції
 missing-velocities-how = сцена не задає руху; додайте `[motion]` зі швидкістю
 missing-fluctuation = коливання швидкості вхідної ланки
 missing-fluctuation-how = рух задано, хоч би якого моменту він потребував; `kind = "steady"` або "transient" у `[motion]` знаходить швидкість за масами та навантаженнями
+missing-fluctuation-over-time = закони приводів виконуються, хоч би яких навантажень вони потребували; один вхід без `over_time` може мати `kind = "steady"` або "transient" у `[motion]`, тоді швидкість знаходиться за масами та навантаженнями
 missing-run-up = розбіг і вибіг
 missing-run-up-how = розглядається лише усталений режим; `kind = "transient"` у `[motion]` простежує рух від початкового стану
 missing-loads = технологічні навантаження
 missing-loads-how = сцена їх не задає; додайте `[[force]]`, `[[moment]]`, `[[spring]]` або `[[contact]]`
 missing-damping = демпфування, опір повітря та мастила
 missing-damping-how = сцена його не задає; додайте `[[spring]]` із `damping` або навантаження від швидкості
+missing-damping-over-time = сцена його не задає; додайте `[[spring]]` із `damping`
 missing-drive = двигун, редуктор, інерція ротора, втрати в приводі та маховик
 missing-drive-useless = `[drive]` не потрібен, коли рух задано або його немає; візьміть `kind = "steady"` або "transient"
 missing-drive-how = сцена не задає приводу; додайте `[drive]` із `motor` та `flywheel`
 missing-drive-prescribed = вхідна ланка рухається, як задано, під дією зрівноважувального навантаження; додайте `[drive]` із `motor` та `flywheel` і `kind = "steady"` або "transient" до `[motion]`
+missing-drive-over-time = приводи рухаються за своїми законами під дією знайдених навантажень; `[drive]` може мати лише один вхід без `over_time`
 missing-rotor = інерція ротора
 missing-rotor-how = номінальні дані її не містять; додайте `inertia` до `motor`
 missing-rotor-of-catalogue = у каталозі його для цього двигуна немає; задайте двигун його даними: `motor = {"{"} power, ..., inertia {"}"}`
@@ -631,7 +639,7 @@ missing-friction-given = пари ідеальні, тому їхні реакц
 missing-friction-elsewhere = тертя в інших парах
 missing-friction-elsewhere-how = пари без `[[friction]]` ідеальні: їхні реакції не виконують роботи
 missing-elasticity = пружність ланок
-missing-elasticity-how = ланки абсолютно жорсткі; пружна частина може бути двома ланками з `[[spring]]` між ними лише там, де ступінь рухомості лишається 1
+missing-elasticity-how = ланки абсолютно жорсткі; пружна частина може бути двома ланками з `[[spring]]` між ними лише там, де ступінь рухомості не змінюється
 missing-clearance = зазори в парах, удари
 missing-clearance-how = шарніри та напрямні прилягають точно; врахувати це не можна (де сила в напрямній змінює знак, результати про це повідомляють)
 missing-spatial = сили поперек площини

@@ -70,6 +70,7 @@ fn masses(mechanism: &Mechanism) -> Vec<Text> {
 
 fn motion(mechanism: &Mechanism) -> Option<Text> {
     let how = match mechanism.motion.as_ref()? {
+        _ if mechanism.input.kind().is_time() => "model-laws-over-time",
         Motion::Prescribed { .. } if heavy(mechanism).is_empty() => "model-prescribed",
         Motion::Prescribed { .. } => "model-prescribed-with-inertia",
         Motion::Transient { .. } => "model-transient",
@@ -226,6 +227,9 @@ fn missing_weights(mechanism: &Mechanism) -> Option<Text> {
 fn missing_motion(mechanism: &Mechanism) -> Option<Text> {
     match &mechanism.motion {
         None => Some(say("missing-velocities", "missing-velocities-how")),
+        Some(_) if mechanism.input.kind().is_time() => {
+            Some(say("missing-fluctuation", "missing-fluctuation-over-time"))
+        }
         Some(Motion::Prescribed { .. }) => Some(say("missing-fluctuation", "missing-fluctuation-how")),
         Some(Motion::Steady { .. }) => Some(say("missing-run-up", "missing-run-up-how")),
         Some(Motion::Transient { .. }) => None,
@@ -236,12 +240,15 @@ fn missing_loads(mechanism: &Mechanism) -> impl Iterator<Item = Text> {
     let damped = |load: &Load| load.kind.spring().is_some_and(|spring| spring.damping != 0.0);
     let none = mechanism.loads.is_empty().then(|| say("missing-loads", "missing-loads-how"));
     let undamped = !mechanism.loads.iter().any(damped);
-    none.into_iter().chain(undamped.then(|| say("missing-damping", "missing-damping-how")))
+    let is_timed = mechanism.input.kind().is_time();
+    let how = if is_timed { "missing-damping-over-time" } else { "missing-damping-how" };
+    none.into_iter().chain(undamped.then(|| say("missing-damping", how)))
 }
 
 fn missing_drive(mechanism: &Mechanism) -> Vec<Text> {
     let Some(drive) = used_drive(mechanism) else {
         let how = match (&mechanism.drive, &mechanism.motion) {
+            _ if mechanism.input.kind().is_time() => "missing-drive-over-time",
             (Some(_), _) => "missing-drive-useless",
             (None, Some(Motion::Transient { .. } | Motion::Steady { .. })) => "missing-drive-how",
             (None, _) => "missing-drive-prescribed",

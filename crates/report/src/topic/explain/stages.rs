@@ -99,7 +99,11 @@ fn transfer(structure: &Structure, plan: &Plan) -> Stage {
 
 fn velocities(mechanism: &Mechanism, plan: &Plan) -> Stage {
     match (plan.velocities, &mechanism.motion) {
-        (true, _) => Ok([text!("explain-has-motion"), text!("explain-rates")]),
+        (true, _) => {
+            let is_timed = mechanism.input.kind().is_time();
+            let method = if is_timed { "explain-rates-over-time" } else { "explain-rates" };
+            Ok([text!("explain-has-motion"), text!(method)])
+        }
         (_, None) => Err(text!("explain-add-motion")),
         _ => Err(text!("explain-no-rates-asked")),
     }
@@ -116,6 +120,9 @@ fn coordinate(mechanism: &Mechanism) -> Text {
 }
 
 fn reduction(mechanism: &Mechanism, plan: &Plan) -> Stage {
+    if mechanism.input.is_list {
+        return Err(text!("explain-no-common-coordinate"));
+    }
     if plan.reduction {
         return Ok([reduction_reason(mechanism, plan), text!("explain-sums")]);
     }
@@ -136,6 +143,7 @@ fn reduction_reason(mechanism: &Mechanism, plan: &Plan) -> Text {
 fn motion(mechanism: &Mechanism, methods: &Methods, equation: Option<&Text>) -> Stage {
     match &mechanism.motion {
         None => Err(text!("explain-no-motion")),
+        Some(_) if mechanism.input.kind().is_time() => Err(text!("explain-given-over-time")),
         Some(Motion::Prescribed { .. }) => Err(text!("explain-prescribed")),
         Some(Motion::Transient { .. }) => {
             let integrator = || text!("explain-integrator", method = name(methods.integrator.clone()));
@@ -258,7 +266,9 @@ fn balancing(mechanism: &Mechanism, plan: &Plan) -> Stage {
         (None, CoordinateKind::Length) => text!("explain-input-force", link = input()),
         (None, CoordinateKind::Time) => text!("explain-input-loads", link = input()),
     };
-    Ok([reason, text!("explain-equilibrium-of-input")])
+    let is_timed = mechanism.input.kind().is_time() && mechanism.balance.is_none();
+    let of = if is_timed { "explain-equilibrium-of-driven" } else { "explain-equilibrium-of-input" };
+    Ok([reason, text!(of)])
 }
 
 fn checks(plan: &Plan) -> Stage {
