@@ -326,7 +326,7 @@ accuracy-starts = { $key } measures every method here: speed, accuracy, stabilit
 # Messages of the terminal UI.
 say-no-position = there is no position { $position }: the last one is { $last }
 say-too-many-parts = error: the scene has { $parts } links, points, slides and loads, and drawings, the note and the terminal UI show at most { $most }; `assur analyze { $scene }` has no such bound
-say-too-many-positions = error: the scene has { $positions } positions, and the terminal UI shows at most { $most } of this one; take fewer `positions` in [input], or write them all: assur analyze { $scene } -o positions.parquet
+say-too-many-positions = error: the scene has { $positions } positions, and the terminal UI shows at most { $most } of this one; take fewer `positions` in [input] (over time fewer `samples` in [motion]), or write them all: assur analyze { $scene } -o positions.parquet
 say-extreme-greatest = greatest { $quantity }: { $value } { $place }
 say-extreme-farthest = greatest |{ $quantity }|: { $value } { $place }
 say-unlimited = grows without limit towards { $at }

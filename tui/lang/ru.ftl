@@ -301,7 +301,7 @@ accuracy-starts = { $key } измеряет здесь каждый метод: 
 # Messages of the terminal UI.
 say-no-position = положения { $position } нет: последнее — { $last }
 say-too-many-parts = ошибка: в сцене { $parts } звеньев, точек, ползунов и нагрузок, а рисунки, записка и терминальный интерфейс показывают не более { $most }; у `assur analyze { $scene }` такого ограничения нет
-say-too-many-positions = ошибка: в сцене { $positions } положений, а терминальный интерфейс показывает для неё не более { $most }; уменьшите `positions` в [input] или запишите все: assur analyze { $scene } -o positions.parquet
+say-too-many-positions = ошибка: в сцене { $positions } положений, а терминальный интерфейс показывает для неё не более { $most }; уменьшите `positions` в [input] (по времени `samples` в [motion]) или запишите все: assur analyze { $scene } -o positions.parquet
 say-extreme-greatest = наибольшее, { $quantity }: { $value } { $place }
 say-extreme-farthest = наибольшее |{ $quantity }|: { $value } { $place }
 say-unlimited = неограниченно растёт в направлении { $at }

@@ -298,7 +298,7 @@ accuracy-starts = { $key } вимірює тут кожен метод: швид
 # Messages of the terminal UI.
 say-no-position = положення { $position } немає: останнє — { $last }
 say-too-many-parts = помилка: у сцені { $parts } ланок, точок, повзунів і навантажень, а рисунки, записка й термінальний інтерфейс показують щонайбільше { $most }; `assur analyze { $scene }` такого обмеження не має
-say-too-many-positions = помилка: у сцені { $positions } положень, а термінальний інтерфейс показує для неї щонайбільше { $most }; зменште `positions` у [input] або запишіть усі: assur analyze { $scene } -o positions.parquet
+say-too-many-positions = помилка: у сцені { $positions } положень, а термінальний інтерфейс показує для неї щонайбільше { $most }; зменште `positions` у [input] (за часом `samples` у [motion]) або запишіть усі: assur analyze { $scene } -o positions.parquet
 say-extreme-greatest = найбільше, { $quantity }: { $value } { $place }
 say-extreme-farthest = найбільше |{ $quantity }|: { $value } { $place }
 say-unlimited = необмежено зростає в напрямку { $at }

@@ -1,7 +1,9 @@
 kinematics-position = position { $number }
 kinematics-coordinate = coordinate { $coordinate }: { $cause }
+kinematics-time = time { $coordinate }: { $cause }
 kinematics-range = the mechanism can be assembled from { $low } to { $high }
 kinematics-no-range = it can't be assembled in the first position: check the lengths{ $units } and the directions of guides, or start elsewhere (`input.from`)
+kinematics-no-range-over-time = it can't be assembled in the first position: check the lengths{ $units } and the directions of guides, or let the drives begin elsewhere (`over_time`, `from`)
 kinematics-elsewhere = with `input.from` between { $low } and { $high } it can be
 kinematics-units = {" "}and their units (a number without one is in meters)
 kinematics-no-start = { $group } is solved by iteration, which needs a starting position: say in [assembly] roughly where these points are in the first position: { $points }

@@ -1,7 +1,9 @@
 kinematics-position = положение { $number }
 kinematics-coordinate = координата { $coordinate }: { $cause }
+kinematics-time = время { $coordinate }: { $cause }
 kinematics-range = механизм можно собрать от { $low } до { $high }
 kinematics-no-range = в первом положении его нельзя собрать: проверьте длины{ $units } и направления направляющих или начните с другого места (`input.from`)
+kinematics-no-range-over-time = в первом положении его нельзя собрать: проверьте длины{ $units } и направления направляющих или пусть приводы начинают с другого места (`over_time`, `from`)
 kinematics-elsewhere = с `input.from` от { $low } до { $high } это возможно
 kinematics-units = {" "}и их единицы (число без единицы — в метрах)
 kinematics-no-start = { $group } решается итерациями, которым нужно начальное приближение: задайте в [assembly] примерные места этих точек в первом положении: { $points }

@@ -1,7 +1,9 @@
 kinematics-position = положення { $number }
 kinematics-coordinate = координата { $coordinate }: { $cause }
+kinematics-time = час { $coordinate }: { $cause }
 kinematics-range = механізм можна зібрати від { $low } до { $high }
 kinematics-no-range = у першому положенні його не можна зібрати: перевірте довжини{ $units } і напрями напрямних або почніть з іншого місця (`input.from`)
+kinematics-no-range-over-time = у першому положенні його не можна зібрати: перевірте довжини{ $units } і напрями напрямних або нехай приводи починають з іншого місця (`over_time`, `from`)
 kinematics-elsewhere = з `input.from` від { $low } до { $high } це можливо
 kinematics-units = {" "}та їхні одиниці (число без одиниці — у метрах)
 kinematics-no-start = { $group } розв’язується ітераціями, яким потрібне початкове наближення: задайте в [assembly] приблизні місця цих точок у першому положенні: { $points }

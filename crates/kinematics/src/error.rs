@@ -102,7 +102,7 @@ impl Describe for PositionError {
         }
         let number = self.index.map(|index| text!("kinematics-position", number = index));
         let at = text!(
-            "kinematics-coordinate",
+            if self.kind.is_time() { "kinematics-time" } else { "kinematics-coordinate" },
             coordinate = self.show(self.coordinate),
             cause = self.source.describe()
         );
@@ -112,7 +112,10 @@ impl Describe for PositionError {
         } else {
             let is_vast = matches!(self.source, GroupError::NoAssembly { gap_m } if gap_m >= VAST);
             let units = if is_vast { text!("kinematics-units") } else { Text::default() };
-            text!("kinematics-no-range", units)
+            text!(
+                if self.kind.is_time() { "kinematics-no-range-over-time" } else { "kinematics-no-range" },
+                units
+            )
         };
         let guide = self.by_default.as_ref().filter(|_| self.range.is_none());
         let guide = guide.map(|guide| text!("kinematics-through-origin", slide = &guide[0], on = &guide[1]));
