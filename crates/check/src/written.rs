@@ -6,8 +6,8 @@ use std::f64::consts::PI;
 use assur_force::{Cause, LoadState, Loads, Side};
 use assur_group::{Body, Wrench};
 use assur_mechanism::{
-    Brake, Contact, Direction, Force, GROUND, LinkId, Load, LoadId, LoadKind, Mechanism, Moment, Place,
-    Spring, Value,
+    Brake, Contact, Direction, Driver, Force, GROUND, LinkId, Load, LoadId, LoadKind, Mechanism, Moment,
+    Place, Spring, Value,
 };
 
 use crate::kinetics::{inertia_terms, own_inertia};
@@ -163,6 +163,17 @@ impl<'a> Writer<'a> {
         items.insert((Cause::Inertia(id), id), item);
     }
 
+    /// The state that laws over the coordinate and the speed of the input see: over time those of its only drive.
+    fn of_drive(&self, state: &LoadState) -> LoadState {
+        match self.mechanism.input.drivers.as_slice() {
+            [Driver { law: Some(law), .. }] => {
+                let [coordinate, speed, _] = law.at(state.time);
+                LoadState { coordinate, speed, ..*state }
+            }
+            _ => *state,
+        }
+    }
+
     /// Size of a load by its law; of several possible sizes, the one closest to the given size.
     fn size(
         &self,
@@ -175,10 +186,11 @@ impl<'a> Writer<'a> {
         let input = &self.mechanism.input;
         let body = &now.bodies[place.link];
         let arm = body.arm(place.at);
+        let state = &self.of_drive(now.state);
         let [one, other] = senses(now.state, input.sign()).map(|sense| {
             let (point, pf1) = (body.point(place.at), body.first(arm));
             let (period, scale) = (input.period(), self.scale);
-            sizes(value, &At { state: now.state, point, pf1, extremes, sense, period, scale })
+            sizes(value, &At { state, point, pf1, extremes, sense, period, scale })
         });
         let Sizes { range: [low, high], terms } = one.and(other);
         // Not clamp(): it panics for NaN bounds, and here NaN must appear as a failed check.

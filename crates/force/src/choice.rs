@@ -148,10 +148,19 @@ impl Loads {
         if self.sense == 0.0 { 1.0 } else { self.sense }
     }
 
+    /// The value of a law over time that is over the coordinate of the only drive; `None` of any other.
+    #[inline(always)]
+    pub(crate) fn by_drive(&self, law: &Law, state: &LoadState, point: [f64; 2]) -> Option<f64> {
+        let drive = self.law.as_ref().filter(|_| law.is_of_input())?;
+        let seen = state.of_drive(drive);
+        let value = |side: &Selection| law.value(law.at(&seen, side, None), &seen, point);
+        Some(Live.weigh(self, &seen, value))
+    }
+
     /// The value of a law that has no place at a state.
     pub(crate) fn value_of(&self, law: &Law, state: &LoadState) -> f64 {
         let value = |side: &Selection| law.value(law.at(state, side, self.period), state, [0.0; 2]);
-        Live.weigh(self, state, value)
+        self.by_drive(law, state, [0.0; 2]).unwrap_or_else(|| Live.weigh(self, state, value))
     }
 
     /// Angle of a contact of the mechanism at a state, rad, and its coefficient of friction with its sign along (cos a, -sin a);

@@ -69,6 +69,7 @@ impl Loads {
             frictions: None,
             sense: input.sign(),
             period: input.period(),
+            law: input.drivers[0].law.clone().filter(|_| input.drivers.len() == 1),
             standing,
             inertia_constant: mechanism.has_constant_reduced_inertia(),
             links: mechanism.links.len(),
@@ -267,7 +268,10 @@ impl<'a> Compiler<'a> {
         let steps = !self.is_given();
         let mut law = FormulaLaw::new(formula.clone(), factor, steps);
         let motion = |q: f64| LoadState::prescribed(self.mechanism, q);
-        law.check_changes(self.cycle(), motion)?;
+        let of_drive = self.mechanism.input.first().law.as_ref();
+        law.check_changes(self.cycle(), |q| {
+            of_drive.map_or_else(|| motion(q), |law| motion(q).of_drive(law))
+        })?;
         if let (Some(axis), true) = (axis, used.place) {
             let at = at.ok_or(LoadFault::StrokeOfMoment)?;
             let scale = self.linkage.structure.scale;

@@ -48,6 +48,11 @@ impl Law {
         matches!(self, Self::Formula(law) if law.met().next().is_some())
     }
 
+    /// Whether it is over the coordinate or the speed of the input.
+    pub(crate) fn is_of_input(&self) -> bool {
+        matches!(self, Self::Coordinate(..) | Self::Speed(_) | Self::Formula(_))
+    }
+
     /// Whether all rows have one value, so that the law depends on nothing.
     pub(crate) fn is_constant(&self) -> bool {
         match self {

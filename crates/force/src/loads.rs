@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use assur_integrator::Dependence;
-use assur_mechanism::{GROUND, LinkId, LoadId, Mechanism, Name, Place, Spring, VaryingInertia};
+use assur_mechanism::{GROUND, LinkId, LoadId, Mechanism, Name, Place, Spring, TimeLaw, VaryingInertia};
 use assur_words::text;
 
 use crate::{Frictions, breaks::Breaks, law::Law, sliding::Sliding};
@@ -21,6 +21,8 @@ pub struct Loads {
     pub(crate) sense: f64,
     /// Length of a cycle of the input.
     pub(crate) period: Option<f64>,
+    /// Over time the law of the only drive, whose coordinate and speed tables and formulas of loads are over.
+    pub(crate) law: Option<TimeLaw>,
     /// PF1 of a point below this counts as zero, m/rad (m/m).
     pub(crate) standing: f64,
     /// J is the same at every coordinate, by structure.

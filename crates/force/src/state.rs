@@ -2,7 +2,7 @@
 
 use assur_formula::{Used, Variable, Variables};
 use assur_group::Number;
-use assur_mechanism::{Mechanism, Motion, passage};
+use assur_mechanism::{Mechanism, Motion, TimeLaw, passage};
 use assur_number::Lanes;
 
 use crate::breaks::tolerance;
@@ -53,6 +53,14 @@ pub fn beside(speed: f64, side: f64) -> f64 {
 }
 
 impl LoadState {
+    /// The state as tables and formulas of loads see it that are over the coordinate of a drive: by its law over time.
+    pub(crate) fn of_drive(&self, law: &TimeLaw) -> Self {
+        let [coordinate, speed, turning] = law.at(self.time);
+        // Only where it rests does its acceleration say where it goes.
+        let acceleration = if speed == 0.0 { turning } else { 0.0 };
+        Self { coordinate, speed, acceleration, ..*self }
+    }
+
     /// The state of a prescribed motion; for any other motion, or none, the state of rest at time 0.
     ///
     /// The time is that of the [`passage`] from the first position. A coordinate that is never passed has the time of the

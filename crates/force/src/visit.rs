@@ -81,6 +81,9 @@ impl<T: LoadNumber, C: Choice> Visit<'_, T, C> {
     fn value(&self, formulas: &C::Formulas, load: usize, lane: usize, point: [T; 2]) -> f64 {
         let state = T::state(self.states, lane);
         let law = &self.loads.applied[load].size;
+        if let Some(value) = self.loads.by_drive(law, state, [point[0].lane(lane), point[1].lane(lane)]) {
+            return value;
+        }
         let active = formulas.active(self.loads, (load, 0, law), state);
         law.value(active, state, [point[0].lane(lane), point[1].lane(lane)])
     }

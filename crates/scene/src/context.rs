@@ -32,7 +32,7 @@ pub(crate) struct Context<'s> {
 impl Context<'_> {
     /// Dimension of the input coordinate; `None` if the input is faulty, which must not cause further faults, or over time.
     pub(crate) fn coordinate(&self) -> Option<Dimension> {
-        self.input.and_then(Input::sole).map(|driver| coordinate_of(driver.pair))
+        self.input.filter(|input| !input.is_list).map(|input| coordinate_of(input.first().pair))
     }
 
     /// Dimension of the input speed.

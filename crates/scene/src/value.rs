@@ -8,7 +8,7 @@ use assur_mechanism::{LawTable, LoadId, Over, Shape, Value};
 use assur_words::{Describe, Text, joined, name, number, text, unit};
 
 use crate::known::Known;
-use crate::over_time::others;
+use crate::over_time::{Timing, others};
 use crate::reference::{Bound, table};
 use crate::text::{brief, in_quotes, rounded, shown, such_as};
 use crate::units::{Dimension, quantity, within};
@@ -52,7 +52,8 @@ pub(crate) fn read(
         None => "scene-table-over-stroke",
     };
     let section = of_sort(entry, what, sort)?;
-    if over != Some(Over::Time) {
+    // A single input with a law still has a coordinate and a speed.
+    if over != Some(Over::Time) && context.timing == Timing::List {
         let key = section.get("over")?;
         let of = quoted(&format!("over = \"{}\"", key.value.as_str().unwrap_or(sort)));
         if context.timing.refuse_coordinate((key.faults, &key.span), of, text!("scene-over-time-instead")) {
@@ -137,7 +138,10 @@ fn formula(
     context: &Context<'_>,
 ) -> Option<Value> {
     let (entry, formula, factor) = formula_with_unit(section, dimension)?;
-    let others = others(formula.used());
+    let mut others = others(formula.used());
+    if context.timing == Timing::Law {
+        others.retain(|letter| letter == 'x');
+    }
     let what = text!("scene-formula-of", variables = name(others.clone()));
     let at = (entry.faults, &entry.span);
     if !others.is_empty() && context.timing.refuse_coordinate(at, what, text!("scene-over-time-instead")) {
@@ -224,7 +228,7 @@ fn plain(
     let repeat = over == Over::Coordinate && given.unwrap_or(!context.has_no_cycle());
     let entry = section.need("table")?;
     let mut table = LawTable { rows: rows(&entry, argument, dimension)?, shape };
-    if over == Over::Speed && context.sign() < 0.0 {
+    if over == Over::Speed && !context.timing.is_time() && context.sign() < 0.0 {
         table = table.mirrored();
     }
     if repeat {

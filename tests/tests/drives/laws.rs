@@ -66,6 +66,20 @@ fn scenes() -> [(String, &'static str, Law); 5] {
     ]
 }
 
+/// A scene with loads over the coordinate and the speed of its input, by tables and by a formula.
+fn of_coordinate((rest, driven, law): &(String, &'static str, Law)) -> [(String, &'static str, Law); 3] {
+    let loads = [
+        r#"{ over = "angle", table = [[0, 150], ["90 deg", 600], ["360 deg", 150]] }"#,
+        // Even in the speed, which a plain input counts along its direction.
+        r#"{ over = "speed", table = [[-10, 400], [0, 20], [10, 400]] }"#,
+        r#"{ formula = "300*cos(q) + 20*w^2" }"#,
+    ];
+    loads.map(|load| {
+        assert!(rest.contains("value = 400"), "{rest}");
+        (rest.replace("value = 400", &format!("value = {load}")), *driven, *law)
+    })
+}
+
 const MOTION: &str = "[motion]\nuntil = 1.2\nsamples = 9\n";
 
 /// Compares all numbers of two results: to a part of the greatest of those that stand together. `but`: keys that are left out.
@@ -127,7 +141,9 @@ fn a_law_over_time_gives_at_each_instant_what_a_prescribed_motion_gives_there() 
     let balanced = (format!("{}\n[balance]\nlink = \"rocker\"\n", four_bar.0), four_bar.1, four_bar.2);
     let rubbing = "[[friction]]\npair = \"A\"\ncoefficient = 0.2\nradius = 0.01\n[[friction]]\npair = \"C\"\ncoefficient = 0.1\nradius = 0.02\n";
     let rubbing = (format!("{}\n{rubbing}", four_bar.0), four_bar.1, four_bar.2);
-    for (rest, driven, (text, law)) in scenes().into_iter().chain([balanced, rubbing]) {
+    for (rest, driven, (text, law)) in
+        scenes().into_iter().chain([balanced, rubbing]).chain(of_coordinate(&four_bar))
+    {
         let over_time = positions(&format!("{rest}\n[input]\n{driven}\nover_time = {text}\n{MOTION}"));
         assert_eq!(over_time.len(), 10);
         for at in &over_time {
@@ -141,10 +157,7 @@ fn a_law_over_time_gives_at_each_instant_what_a_prescribed_motion_gives_there() 
                 sign * acceleration
             ));
             assert!(at["balancing"].is_number() && at["reduced"].is_object(), "{driven}: {at}");
-            // A motion over time has no efficiency of a position.
-            let of_efficiency = ["efficiency", "balancing_without_friction", "friction_certificate"];
-            let but = [&["index", "time"][..], &of_efficiency].concat();
-            same(at, &plain[0], 1e-11, &but);
+            same(at, &plain[0], 1e-11, &["index", "time"]);
         }
     }
 }
@@ -191,4 +204,28 @@ fn friction_in_a_single_position_has_no_work_of_a_cycle() {
     let json = super::results(&format!("{four_bar}\n{input}{friction}"));
     assert!(json["friction_work"]["A"].is_null(), "{}", json["friction_work"]);
     assert!(number(&json, "/positions/0/friction/A/power") < 0.0);
+}
+
+/// The range that is passed stands for the cycle: here it is a whole turn.
+#[test]
+fn loads_over_a_stroke_follow_the_point_that_a_law_moves() {
+    let text = assur_fixtures::scene("slider-crank");
+    let tables =
+        text.split("\n[").filter(|table| !["input]", "motion]"].iter().any(|of| table.starts_with(of)));
+    let rest = tables.collect::<Vec<_>>().join("\n[");
+    let of = |what: &str| positions(&format!("{rest}\n{what}"));
+    let by_law = of(
+        "[input]\nlink = \"crank\"\nover_time = { formula = \"2*pi*t\" }\n[motion]\nuntil = 1\nsamples = 12\n",
+    );
+    let plain = of(&format!(
+        "[input]\nlink = \"crank\"\npositions = 12\n[motion]\nspeed = {:?}\n",
+        std::f64::consts::TAU
+    ));
+    let loads = |all: &[Value]| all.iter().map(|at| number(at, "/balancing")).collect::<Vec<_>>();
+    let (by_law, plain) = (loads(&by_law), loads(&plain));
+    let greatest = plain.iter().fold(0.0_f64, |most, load| most.max(load.abs()));
+    assert!(greatest > 100.0 && by_law.len() == 13, "{plain:?}");
+    for (one, other) in by_law.iter().zip(&plain) {
+        assert!((one - other).abs() <= 1e-9 * greatest, "{one} {other}");
+    }
 }

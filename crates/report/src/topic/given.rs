@@ -86,9 +86,13 @@ fn law(mechanism: &Mechanism, value: &Value, of: &'static str) -> Text {
         Value::Constant(value) => Unit::si(of).show(*value),
         Value::Table { over, table, .. } => {
             let (argument, by) = match over {
-                Over::Coordinate => (text!("given-over-coordinate"), Unit::place(mechanism.input.is_angle())),
+                Over::Coordinate => {
+                    (text!("given-over-coordinate"), Unit::place(mechanism.input.first().is_angle()))
+                }
                 Over::Time => (text!("given-over-time"), Unit::SECOND),
-                Over::Speed => (text!("given-over-speed"), Unit::rates(mechanism.input.is_angle())[0]),
+                Over::Speed => {
+                    (text!("given-over-speed"), Unit::rates(mechanism.input.first().is_angle())[0])
+                }
             };
             text!(
                 "given-table",
