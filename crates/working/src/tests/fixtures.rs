@@ -12,6 +12,10 @@ fn every_line_of_every_scene_recomputes() {
     let (mut lines, mut general) = (0, Vec::new());
     for (name, _) in assur_fixtures::SCENES {
         let (linkage, loads) = compiled(scene(name));
+        // The working of a position is not written over time.
+        if linkage.kind().is_time() {
+            continue;
+        }
         let count = linkage.mechanism.input.positions;
         for index in [0, 1, 3, count / 4, count / 2, count - 1].into_iter().filter(|index| *index < count) {
             let mut position = linkage.position();

@@ -15,7 +15,8 @@ const SHARED: [&str; 7] = ["sqrt", "sin", "cos", "atan2", "dq", "dt", "any"];
 fn in_another_language_only_names_and_symbols_are_latin() {
     for (name, _) in assur_fixtures::SCENES.iter().filter(|(name, _)| !name.starts_with("n-four-bar")) {
         let (linkage, loads) = compiled(scene(name));
-        if linkage.solve_index(1, assur_group::Order::Second, &mut linkage.position()).is_err() {
+        let is_placed = linkage.solve_index(1, assur_group::Order::Second, &mut linkage.position()).is_ok();
+        if !is_placed || linkage.kind().is_time() {
             continue;
         }
         let working = worked(&linkage, loads.as_ref(), 1);
