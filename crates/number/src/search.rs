@@ -82,14 +82,18 @@ pub fn root(mut positive: f64, mut negative: f64, width: f64, f: impl Fn(f64) ->
     negative
 }
 
-/// Root between `a` and `b` of a function with opposite signs there, from its value and derivative: Newton's method, kept
+/// Root between `a` and `b` of a function with opposite signs there, or 0 in `b`, from its value and derivative: Newton's method, kept
 /// within the bracket by bisection, to rounding. With a derivative of 0 it bisects.
 pub fn try_newton_root<E>(
     mut a: f64,
     mut b: f64,
     mut f: impl FnMut(f64) -> Result<(f64, f64), E>,
 ) -> Result<f64, E> {
-    let rising = f(b)?.0 > 0.0;
+    let at_end = f(b)?.0;
+    if at_end == 0.0 {
+        return Ok(b);
+    }
+    let rising = at_end > 0.0;
     let mut x = f64::midpoint(a, b);
     for _ in 0..MOST_ROOT_STEPS {
         let (value, slope) = f(x)?;

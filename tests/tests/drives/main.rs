@@ -10,6 +10,7 @@ use assur_report::json::analysis::to_json;
 use serde_json::Value;
 
 mod laws;
+mod turns;
 
 /// The results of a scene.
 fn results(text: &str) -> Value {

@@ -44,6 +44,9 @@ fn the_first_error_ends_a_search() {
 fn newton_is_exact_even_where_it_is_thrown_out_of_the_bracket() {
     let cube = |x: f64| Ok::<_, ()>((x * x * x - 2.0, 3.0 * x * x));
     assert!((try_newton_root(-5.0, 9.0, cube).unwrap() - 2.0_f64.cbrt()).abs() <= 2.0 * f64::EPSILON);
+    // A root in the end of the bracket.
+    let end = |x: f64| Ok::<_, ()>((x * x - 4.0, 2.0 * x));
+    assert!((try_newton_root(0.5, 2.0, end).unwrap() - 2.0).abs() < f64::EPSILON);
     // No slope given: bisection alone.
     let line = |x: f64| Ok::<_, ()>((0.3 - x, 0.0));
     assert!((try_newton_root(-5.0, 9.0, line).unwrap() - 0.3).abs() <= 2.0 * f64::EPSILON);
