@@ -85,7 +85,9 @@ impl Calculation {
             let times: Vec<f64> =
                 driver.law.as_ref()?.breaks().map(|(time, _)| time).take(MOST + 1).collect();
             let more = (times.len() > MOST).then(|| name("..."));
-            let told = times.iter().take(MOST).map(|time| quantity(time, "s")).chain(more);
+            // Of a table that repeats, rounds of its length are added.
+            let told =
+                times.iter().take(MOST).map(|time| quantity((1e9 * time).round() / 1e9, "s")).chain(more);
             let drive = Text::from(&driver.label);
             (!times.is_empty()).then(|| text!("analysis-speed-jumps", drive, times = list(told)))
         };
