@@ -14,11 +14,14 @@ fn turns(law: &str, until: f64) -> Vec<f64> {
     let text = format!(
         "{rest}\n[input]\nlink = \"crank\"\nover_time = {law}\n[motion]\nuntil = {until:?}\nsamples = 6\n"
     );
-    let mechanism = assur_scene::read("scene.toml", &text).unwrap_or_else(|faults| panic!("{faults}"));
-    let linkage = Linkage::compile(mechanism).unwrap();
-    let found = geometry(&linkage, GROUND).unwrap();
-    let crank = found.links.iter().find(|(link, _)| link.name.to_string() == "crank").unwrap().1;
-    crank.stroke.as_ref().map(|stroke| stroke.dead_points.clone()).unwrap_or_default()
+    let found = || -> Result<_, Box<dyn std::error::Error>> {
+        let mechanism = assur_scene::read("scene.toml", &text).map_err(|faults| faults.to_string())?;
+        Ok(geometry(&Linkage::compile(mechanism)?, GROUND)?)
+    };
+    let found = found().unwrap_or_else(|error| panic!("{error}\n{text}"));
+    let crank = found.links.iter().find(|(link, _)| link.name == "crank");
+    let stroke = crank.and_then(|(_, course)| course.stroke.as_ref());
+    stroke.map(|stroke| stroke.dead_points.clone()).unwrap_or_default()
 }
 
 #[test]
