@@ -185,9 +185,7 @@ impl Share {
     /// What was found under the loads of a cause.
     pub fn of(cause: Text, linkage: &Linkage, found: Reactions) -> Self {
         let reactions = joint_forces(linkage, &found);
-        // A balancing load elsewhere leaves the drives idle.
-        let drives = if found.unit.is_none() { found.drives } else { Vec::new() };
-        Self { cause, reactions, balancing: found.balancing, drives }
+        Self { cause, reactions, balancing: found.balancing, drives: found.drives }
     }
 
     /// The loads that balance, N m or N: of each drive over time, else the balancing load.

@@ -261,8 +261,11 @@ impl<'a> LaneKinetostatics<'a> {
 }
 
 impl<T: Real> Reactions<T> {
-    /// Finds the load of each drive over time from the reactions, under these loads.
+    /// Finds the load of each drive over time from the reactions, under these loads; none where the balancing load acts elsewhere.
     fn find_drives(&mut self, linkage: &Linkage, bodies: &[Body<T>], loads: &[Wrench<T>]) {
+        if self.unit.is_some() {
+            return;
+        }
         drives(linkage, bodies, loads, &self.pairs, &mut self.drives);
     }
 }
