@@ -14,11 +14,14 @@ use assur_words::{Describe, Text, joined, name, number, text};
 
 use crate::files::{self, FileError};
 
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(crate) enum Source {
     File(PathBuf),
     /// One of the shipped scenes, by its name without the ending.
     Shipped(&'static str),
+    /// One that is built and has no file yet.
+    #[default]
+    New,
 }
 
 impl Source {
@@ -26,12 +29,14 @@ impl Source {
         match self {
             Self::File(path) => path.display().to_string(),
             Self::Shipped(name) => format!("{name}.toml"),
+            Self::New => "new.toml".to_owned(),
         }
     }
 
-    fn text(&self) -> Result<String, Text> {
+    pub(crate) fn text(&self) -> Result<String, Text> {
         match self {
             Self::File(path) => files::read(path).map_err(|error| error.describe()),
+            Self::New => Ok(String::new()),
             Self::Shipped(name) => {
                 let scene = SCENES.iter().find(|(known, _)| known == name);
                 Ok(scene.map(|(_, text)| (*text).to_owned()).unwrap_or_default())

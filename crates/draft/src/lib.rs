@@ -2,6 +2,28 @@
 //!
 //! All functions go from a text to a text; comments, order and spelling of what is not changed stay as they are.
 
+mod braces;
 mod edit;
+mod find;
+mod hang;
+mod insertion;
+mod known;
+mod layout;
+mod names;
+mod part;
+mod place;
+mod readable;
+mod removal;
+mod rename;
+mod written;
 
 pub use edit::{append, remove, set};
+pub use hang::{delete, dependents};
+pub use part::{Part, stands};
+pub use readable::{Readable, key_at, readable};
+pub use rename::{rename, rename_in_link, renamed_key};
+
+assur_words::resources!();
+
+#[cfg(test)]
+mod tests;

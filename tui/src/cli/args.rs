@@ -72,12 +72,14 @@ pub(crate) enum Command {
     Motors(MotorArgs),
     /// Write a commented starter scene that runs
     New {
-        /// File to write; must not exist
-        file: PathBuf,
+        /// File to write; must not exist. Without it, the mechanism is built on the screen
+        file: Option<PathBuf>,
         /// Mechanism of the scene (default: a slider-crank compressor)
         #[arg(long, value_name = "NAME", value_parser = PossibleValuesParser::new(SCENES.iter().map(|(name, _)| *name)))]
         kind: Option<String>,
     },
+    /// Build a shaper on the screen, step by step, with what to press
+    Tour,
     /// Print the default configuration of the terminal UI, commented
     #[command(display_order = 99)]
     Config,

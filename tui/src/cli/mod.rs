@@ -23,6 +23,7 @@ mod usage;
 
 use std::ffi::OsString;
 use std::io::IsTerminal;
+use std::path::PathBuf;
 use std::process::ExitCode;
 
 use assur_words::{Describe, name, text};
@@ -35,7 +36,7 @@ use style::Style;
 use usage::Refused;
 
 use crate::files::{self, FileError};
-use crate::screen::{self, Config};
+use crate::screen::{self, Config, Start};
 
 /// Runs one command line and returns the exit status: 0 done; 1 no assembly, no solution or a check that fails; 2 a bad
 /// scene or usage.
@@ -108,7 +109,11 @@ fn command(cli: Cli, configured: Configured, style: Style) -> Result<Status, Fau
         Some(Command::Keys(args)) => keys::run(&args, style),
         Some(Command::Plugins) => lists::plugins(style),
         Some(Command::Motors(args)) => lists::motors(&args, style),
-        Some(Command::New { file, kind }) => shell::new(&file, kind.as_deref()),
+        Some(Command::New { file: Some(file), kind }) => shell::new(&file, kind.as_deref()),
+        Some(Command::New { file: None, .. }) => {
+            on_screen(Cli { command: None, ..cli }, configured, style, Start::New)
+        }
+        Some(Command::Tour) => on_screen(Cli { command: None, ..cli }, configured, style, Start::Tour),
         Some(Command::Config) => config::print(style),
         Some(Command::Completions { shell }) => shell::completions(shell),
         Some(Command::Man) => shell::man(),
@@ -139,17 +144,40 @@ fn scene_or_screen(cli: Cli, (config, config_fault): Configured, style: Style) -
             Ok(Status::Bad)
         }
         (scene, _) => {
-            let fault = config_fault.map(|fault| fault.describe());
-            let (look, language, methods) = (cli.look, cli.language, cli.methods.into());
-            let (ascii, config_fault, config_file) = (style.ascii, fault.clone(), config::file());
-            let code = crate::screen::run(
-                scene,
-                screen::Options { ascii, look, language, methods, config, config_fault, config_file },
-            );
-            if let Some(fault) = fault {
-                style.tell(fault);
-            }
-            code.map(Status::Code).map_err(Fault::Scene)
+            let cli = Cli { scene, ..cli };
+            on_screen(cli, (config, config_fault), style, Start::Scene)
         }
     }
+}
+
+/// The terminal UI.
+fn on_screen(
+    cli: Cli,
+    (config, config_fault): Configured,
+    style: Style,
+    start: Start,
+) -> Result<Status, Fault> {
+    if !(std::io::stdout().is_terminal() && std::io::stdin().is_terminal()) {
+        return Err(Fault::Scene(text!("cli-needs-a-terminal")));
+    }
+    let fault = config_fault.map(|fault| fault.describe());
+    let (look, language, methods) = (cli.look, cli.language, cli.methods.into());
+    let (ascii, config_fault, config_file) = (style.ascii, fault.clone(), config::file());
+    let state_folder = screen::state_folder(|name| std::env::var_os(name).map(PathBuf::from));
+    let options = screen::Options {
+        ascii,
+        look,
+        language,
+        methods,
+        config,
+        config_fault,
+        config_file,
+        state_folder,
+        start,
+    };
+    let code = screen::run(cli.scene, options);
+    if let Some(fault) = fault {
+        style.tell(fault);
+    }
+    code.map(Status::Code).map_err(Fault::Scene)
 }

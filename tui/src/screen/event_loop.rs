@@ -17,6 +17,7 @@ use signal_hook::iterator::Signals;
 use super::inbox::{Event, Inbox};
 use super::input::Input;
 use super::pixels::{self, Answer};
+use super::recovery::Recovery;
 use super::state::{Effect, Pictures, Role, State};
 use super::terminal::{self, Screen};
 use super::workers::Workers;
@@ -31,13 +32,13 @@ const FRAME: Duration = Duration::from_millis(40);
 const DIED: u8 = 129;
 
 /// Runs until the user leaves, and returns the exit status; `config`: where its configuration is kept.
-pub(crate) fn run(state: State, config: Option<&Path>) -> io::Result<u8> {
+pub(crate) fn run(state: State, config: Option<&Path>, recovery: Option<Recovery>) -> io::Result<u8> {
     let inbox = Inbox::new(state.keys.everywhere("quit"), || terminal::end(0));
     listen_to_signals(Arc::clone(&inbox))?;
     let mut screen = Screen::take(state.look.mouse)?;
     let keys = Arc::clone(&inbox);
     input::listen(move |inputs| keys.take(inputs))?;
-    let ended = EventLoop::new(state, inbox).play(&mut screen, config);
+    let ended = EventLoop { recovery, ..EventLoop::new(state, inbox) }.play(&mut screen, config);
     // Every call fails on a terminal that has died, and nothing can be said there.
     let died = !(io::stdin().is_terminal() && io::stdout().is_terminal());
     if ended.is_err() && died { Ok(DIED) } else { ended }
@@ -53,6 +54,8 @@ struct EventLoop {
     stale: bool,
     /// Whether the input has ended: the terminal has died.
     ended: bool,
+    /// Where unsaved changes are kept.
+    recovery: Option<Recovery>,
 }
 
 impl EventLoop {
@@ -60,7 +63,7 @@ impl EventLoop {
         let reports = Arc::clone(&inbox);
         let workers = Workers::new(move |report| reports.send(Event::Work(report)));
         let now = Instant::now();
-        Self { state, inbox, workers, next_tick: now, drawn: now, stale: true, ended: false }
+        Self { state, inbox, workers, next_tick: now, drawn: now, stale: true, ended: false, recovery: None }
     }
 
     fn play(&mut self, screen: &mut Screen, config: Option<&Path>) -> io::Result<u8> {
@@ -79,6 +82,7 @@ impl EventLoop {
                 return Ok(DIED);
             }
             if self.state.leaving {
+                self.recovery.iter_mut().for_each(Recovery::remove);
                 return Ok(0);
             }
             self.ask_for_pictures(screen)?;
@@ -96,6 +100,7 @@ impl EventLoop {
             self.state.say(Role::Bad, text!("say-keys-dropped", count = dropped));
         }
         command::prepare(&mut self.state);
+        self.recovery.iter_mut().for_each(|recovery| recovery.keep(&self.state.draft));
         let state = &self.state;
         screen.draw(|frame| view::draw(state, frame))?;
         screen.show(state)?;
@@ -123,7 +128,7 @@ impl EventLoop {
         };
         while let Some(event) = next {
             self.stale |= self.apply(event);
-            self.inbox.set_free(self.state.what_if.may_drop());
+            self.inbox.set_free(self.state.draft.may_drop());
             let is_due = start.elapsed() >= FRAME;
             if is_due || self.state.leaving || !self.state.effects.is_empty() {
                 return;

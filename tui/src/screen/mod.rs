@@ -13,6 +13,7 @@ mod event_loop;
 mod inbox;
 mod input;
 mod pixels;
+mod recovery;
 pub(crate) mod state;
 mod terminal;
 pub(crate) mod view;
@@ -27,6 +28,8 @@ use std::path::PathBuf;
 use assur_words::{Text, text, text_of};
 use command::COMMANDS;
 pub(crate) use config::{Config, default_text};
+use recovery::Recovery;
+pub(crate) use recovery::folder as state_folder;
 use state::{Look, Marker, Scene, State, Theme};
 
 use crate::session::{Session, Source};
@@ -57,8 +60,23 @@ pub(crate) struct Options {
     /// The configuration; the options above have precedence.
     pub(crate) config: Config,
     pub(crate) config_fault: Option<Text>,
+    /// Where programs keep unsaved changes; `None`: there is no place for it.
+    pub(crate) state_folder: Option<PathBuf>,
+    pub(crate) start: Start,
     /// The configuration file of the user, which need not exist; `None`: there is no place for it.
     pub(crate) config_file: Option<PathBuf>,
+}
+
+/// What the terminal UI begins with.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub(crate) enum Start {
+    /// A scene, or the list of scenes.
+    #[default]
+    Scene,
+    /// A mechanism from nothing.
+    New,
+    /// The tour.
+    Tour,
 }
 
 /// Opens the terminal UI on a scene, or on the menu of shipped scenes; returns the exit status.
@@ -75,8 +93,15 @@ pub(crate) fn run(path: Option<PathBuf>, options: Options) -> Result<u8, Text> {
     state.panels = options.config.panels;
     state.size = terminal::size().unwrap_or(state.size);
     state.options = options.methods;
-    command::start(&mut state);
-    let ended = event_loop::run(state, options.config_file.as_deref());
+    match options.start {
+        Start::Scene => command::start(&mut state),
+        Start::New => command::begin(&mut state),
+        Start::Tour => command::tour(&mut state),
+    }
+    state.recovered = options.state_folder.as_deref().map(recovery::left).unwrap_or_default();
+    command::offer_recovered(&mut state);
+    let recovery = options.state_folder.as_deref().map(Recovery::new);
+    let ended = event_loop::run(state, options.config_file.as_deref(), recovery);
     ended.map_err(|problem| text!("screen-terminal-fails", problem = text_of(&problem)))
 }
 

@@ -1,5 +1,6 @@
 //! Frames, keys and sizes, without a terminal.
 
+mod build;
 mod compare;
 pub(crate) mod courses;
 mod cut;

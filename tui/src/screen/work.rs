@@ -36,7 +36,13 @@ pub(crate) fn run(job: &Job, tell: &dyn Fn(Report)) -> Report {
                     session
                 }),
                 Wanted::Preview(name) => Session::open(Source::Shipped(name)),
-                Wanted::Change(change) => change.session.changed(change.text.clone()),
+                Wanted::Change(change) => {
+                    let text = change.readable.to_string();
+                    match &change.session {
+                        Some(session) => session.changed(text),
+                        None => Session::read(change.source.clone(), text),
+                    }
+                }
             };
             let mut scene = scene.and_then(Scene::of).map(Box::new);
             // Forces and motion of a second scene are compared too.

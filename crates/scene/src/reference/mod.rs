@@ -20,7 +20,9 @@ pub static TABLES: LazyLock<Vec<KeyTable>> = LazyLock::new(|| {
     let mut tables = Vec::<KeyTable>::new();
     for line in lines {
         if let Some((header, what)) = line.split_once(" : ") {
-            tables.push(KeyTable { header: of(header), what, keys: Vec::new() });
+            tables.push(KeyTable { header: of(header), what, keys: Vec::new(), either: Vec::new() });
+        } else if let (Some(table), Some(rivals)) = (tables.last_mut(), line.strip_prefix("either ")) {
+            table.either.push(rivals.split("; ").map(|keys| keys.split(", ").collect()).collect());
         } else if let (Some(table), Some(key)) = (tables.last_mut(), SceneKey::read(line)) {
             table.keys.push(key);
         }
@@ -33,9 +35,10 @@ fn of(column: &'static str) -> &'static str {
     if column == "-" { "" } else { column }
 }
 
-/// The table of a header; without keys where there is none, which tests exclude.
-pub(crate) fn table(header: &str) -> &'static KeyTable {
-    static NONE: KeyTable = KeyTable { header: "", what: "scene-a-table", keys: Vec::new() };
+/// The table of a header of the reference; without keys where there is none.
+pub fn table(header: &str) -> &'static KeyTable {
+    static NONE: KeyTable =
+        KeyTable { header: "", what: "scene-a-table", keys: Vec::new(), either: Vec::new() };
     TABLES.iter().find(|table| table.header == header).unwrap_or(&NONE)
 }
 
@@ -48,6 +51,8 @@ pub struct KeyTable {
     pub what: &'static str,
     /// Its keys.
     pub keys: Vec<SceneKey>,
+    /// Choices among its keys: each has two or more rows of keys, and keys of two rows exclude each other.
+    pub either: Vec<Vec<Vec<&'static str>>>,
 }
 
 /// A key of a table.
@@ -58,7 +63,7 @@ pub struct SceneKey {
     /// What its value may be, one of these.
     pub kinds: Vec<ValueKind>,
     /// The limits of its number.
-    pub(crate) limits: Bound,
+    pub limits: Bound,
     /// What holds without it.
     pub default: KeyDefault,
     /// A value as it is written.
@@ -72,7 +77,7 @@ pub struct SceneKey {
 }
 
 /// What a value may be.
-#[derive(Debug, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub enum ValueKind {
     /// A number in SI, or a text of a number and a unit.
     Quantity(Dimension),
@@ -135,7 +140,7 @@ impl SceneKey {
     }
 
     /// The quantity that it may be; `coordinate`: what the input coordinate is, `None` where that is not known.
-    pub(crate) fn dimension(&self, coordinate: Option<Dimension>) -> Option<Dimension> {
+    pub fn dimension(&self, coordinate: Option<Dimension>) -> Option<Dimension> {
         self.kinds.iter().find_map(|kind| match *kind {
             ValueKind::Quantity(dimension) => Some(dimension),
             ValueKind::ByInput(turning, sliding) => {
@@ -146,8 +151,13 @@ impl SceneKey {
     }
 
     /// The words that it may be.
-    pub(crate) fn words(&self) -> impl Iterator<Item = &'static str> {
+    pub fn words(&self) -> impl Iterator<Item = &'static str> {
         self.kinds.iter().filter_map(|kind| if let ValueKind::Word(word) = kind { Some(*word) } else { None })
+    }
+
+    /// Whether a table of this sort has it; without a sort every table has.
+    pub fn is_of(&self, sort: Option<&str>) -> bool {
+        self.sorts.is_empty() || sort.is_none_or(|sort| self.sorts.split(", ").any(|own| own == sort))
     }
 
     /// What its value may be, in words.
@@ -163,8 +173,8 @@ impl SceneKey {
     }
 }
 
-/// Several texts, one of which holds.
-fn either(mut texts: Vec<Text>) -> Text {
+/// Several texts, one of which holds: "these or the last".
+pub fn either(mut texts: Vec<Text>) -> Text {
     let last = texts.pop().unwrap_or_default();
     if texts.is_empty() { last } else { text!("scene-either", these = joined(", ", texts), last) }
 }
@@ -232,14 +242,29 @@ impl KeyTable {
 
     /// Names of its keys; with a sort those that a table of this sort has.
     pub(crate) fn names(&self, sort: Option<&str>) -> impl Iterator<Item = &'static str> {
-        let has = move |key: &&SceneKey| {
-            key.sorts.is_empty() || sort.is_none_or(|sort| key.sorts.split(", ").any(|own| own == sort))
-        };
-        self.keys.iter().filter(has).map(|key| key.name)
+        self.keys.iter().filter(move |key| key.is_of(sort)).map(|key| key.name)
+    }
+
+    /// All sorts of it, in the order of its keys; empty: there is only one.
+    pub fn all_sorts(&self) -> Vec<&'static str> {
+        let mut all = Vec::new();
+        for sort in self.keys.iter().flat_map(|key| key.sorts.split(", ")).filter(|sort| !sort.is_empty()) {
+            if !all.contains(&sort) {
+                all.push(sort);
+            }
+        }
+        all
+    }
+
+    /// Its keys that can't stand beside one of them.
+    pub fn rivals(&self, key: &str) -> Vec<&'static str> {
+        let has = |row: &Vec<&str>| row.contains(&key);
+        let choices = self.either.iter().filter(|rows| rows.iter().any(has));
+        choices.flatten().filter(|row| !has(row)).flatten().copied().collect()
     }
 
     /// A key of it.
-    pub(crate) fn key(&self, name: &str) -> Option<&SceneKey> {
+    pub fn key(&self, name: &str) -> Option<&SceneKey> {
         self.keys.iter().find(|key| key.name == name)
     }
 
@@ -318,13 +343,14 @@ const MOST_DIRECTION: f64 = 1000.0 * TAU;
 
 /// The range of a number, besides being finite.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Bound {
+pub enum Bound {
     /// Anything.
     Any,
+    /// 0 or greater.
     NotNegative,
     /// Greater than 0.
     Positive,
-    /// An angle that is a direction.
+    /// An angle that is a direction: at most 1000 turns either way.
     Direction,
 }
 

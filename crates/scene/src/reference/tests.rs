@@ -349,3 +349,30 @@ fn a_word_finds_the_keys_that_it_is_about() {
     assert!(names("kloss").contains(&"drive.characteristic".to_owned()));
     assert!(names("nothing like it").is_empty());
 }
+
+#[test]
+fn keys_that_exclude_each_other_are_refused_together() {
+    for table in TABLES.iter() {
+        for key in table.either.iter().flatten().flatten() {
+            let known = table.key(key).unwrap_or_else(|| panic!("{} {key}", table.header));
+            assert!(!table.rivals(key).is_empty() && !table.rivals(key).contains(&known.name));
+        }
+    }
+    let scenes = shipped();
+    let mut judged = BTreeSet::new();
+    for found in all(&scenes) {
+        let Some(at) = found.own_line() else { continue };
+        let inline = found.scene[..at].trim_end().ends_with(['{', ',']);
+        for rival in found.table.rivals(found.key.name) {
+            let rival = found.table.key(rival).unwrap();
+            let line = format!("{} = {}{}", rival.name, rival.example, if inline { ", " } else { "\n" });
+            let mut scene = found.scene.to_owned();
+            scene.insert_str(at, &line);
+            // What stands there already can't stand there twice.
+            let errors = crate::read("a", &scene).expect_err(&label(&found)).to_string();
+            judged.extend((!errors.contains("not TOML")).then(|| (found.table.header, found.key.name, rival.name)));
+        }
+    }
+    let wanted: usize = TABLES.iter().flat_map(|table| table.either.iter().flatten().flatten().map(|key| table.rivals(key).len())).sum();
+    assert!(judged.len() * 10 >= wanted * 8, "{} of {wanted}: {judged:?}", judged.len());
+}

@@ -4,7 +4,7 @@ use assur_diagram::PlanSheet;
 use assur_picture::{Found, Plans, Results, find};
 use assur_words::{name, number, text};
 
-use super::{jobs, whatif};
+use super::{build, draft, jobs};
 use crate::screen::state::{
     FRAMES, PACES, Pictures, Purpose, Role, Source, State, View, ViewPart, Wanted, following, next_kind,
     round,
@@ -64,7 +64,7 @@ fn choose_beyond(state: &mut State, view: View, by: isize, hidden: usize) {
 /// The chosen item of the list in a view, and how many there are.
 pub(super) fn list(state: &mut State, view: View) -> (&mut usize, usize) {
     let part = state.part(view);
-    let State { scene, chosen, what_if, position, .. } = state;
+    let State { scene, chosen, draft, position, .. } = state;
     let scene = scene.as_ref().map(|scene| &scene.results);
     let found = scene.and_then(|scene| scene.found.as_deref());
     let of_scene = |count: fn(&Results) -> usize| scene.map_or(0, count);
@@ -81,7 +81,7 @@ pub(super) fn list(state: &mut State, view: View) -> (&mut usize, usize) {
         (View::Checks, _) => (&mut chosen.check, of_found(|found| found.analysis.checks.len())),
         (View::Results, _) => (&mut chosen.result, of_found(|found| found.results.len())),
         (View::Table, _) => (&mut chosen.column, of_scene(Results::column_count)),
-        (View::Values, _) => (&mut what_if.chosen, what_if.values.len()),
+        (View::Values, _) => (&mut draft.chosen, draft.values.len()),
         (View::Plans, ViewPart::Construction) => (&mut chosen.step, of_plans(Plans::step_count)),
         (View::Plans, _) => (&mut chosen.polygon, of_sheet(|sheet| sheet.polygons.len())),
         _ => (&mut chosen.transfer, of_scene(|scene| scene.transfers.len())),
@@ -246,7 +246,7 @@ pub(super) fn reload(state: &mut State) {
             let source = scene.session.source.clone();
             state.read(Wanted::Open(source));
         }
-        Source::Shipped(_) => state.say(Role::Plain, text!("say-no-file")),
+        Source::Shipped(_) | Source::New => state.say(Role::Plain, text!("say-no-file")),
     }
 }
 
@@ -262,13 +262,14 @@ pub(super) fn close(state: &mut State) {
     if state.picker.is_some() {
         // Without a scene there is nothing behind the list of scenes.
         match &state.scene {
-            Some(_) => state.picker = None,
-            None => whatif::quit(state),
+            None if state.view != View::Build => draft::quit(state),
+            _ => state.picker = None,
         }
     } else if state.fault.is_some() {
         state.fault = None;
+    } else if state.view == View::Build && build::close_task(state) {
     } else if state.values_open() {
-        whatif::toggle(state);
+        draft::toggle(state);
     } else if state.probe.take().is_none() && !opened_in_view(state) {
         jobs::stop_measuring(state);
         jobs::stop(state);

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use assur_analysis::Options;
 use assur_words::{self as words, Text, name, text};
 
-use super::{modes, whatif};
+use super::{draft, modes};
 use crate::screen::state::{
     CalculationRequest, Cancel, Change, Chosen, Compared, Effect, Job, Outcome, OutputFile, Purpose, Reading,
     Report, Role, Running, Scene, State, Stop, View, Wanted, Zoom,
@@ -186,7 +186,7 @@ fn open(state: &mut State, scene: Scene) {
         ..Chosen::default()
     };
     state.fault = None;
-    whatif::reloaded(state, &scene, again);
+    draft::reloaded(state, &scene, again);
     exchange(state, scene);
     if let Some(stop) = back {
         stop.restore(state);
@@ -195,16 +195,16 @@ fn open(state: &mut State, scene: Scene) {
 
 /// Takes a changed scene, or the reason why it can't be read; returns whether the frame may differ.
 fn take_change(state: &mut State, change: &Change, scene: Result<Box<Scene>, Text>) -> bool {
-    let what = &mut state.what_if;
+    let what = &mut state.draft;
     if change.opening != what.opening {
         return false;
     }
     what.reading = Reading::Done;
-    let late = change.edits != what.wanted;
+    let late = change.text != *what.text();
     match scene {
         Ok(scene) => {
-            let is_of_modes = what.is_of_modes(&change.edits);
-            what.shown.clone_from(&change.edits);
+            let is_of_modes = std::mem::take(&mut what.of_modes);
+            what.shown.clone_from(&change.text);
             let before = state.scene.as_ref().filter(|_| !late && !is_of_modes);
             let before = before.and_then(|scene| Some((scene.pose(0, 0.0)?.coordinate, modes::all(scene))));
             show_change(state, *scene);
@@ -219,7 +219,7 @@ fn take_change(state: &mut State, change: &Change, scene: Result<Box<Scene>, Tex
         Err(_) => {}
     }
     if late {
-        whatif::ask(state);
+        draft::ask(state);
     }
     true
 }
@@ -228,17 +228,17 @@ fn take_change(state: &mut State, change: &Change, scene: Result<Box<Scene>, Tex
 /// file has it is compared with it, unless another one is.
 fn show_change(state: &mut State, scene: Scene) {
     if let Some(old) = state.scene.as_ref().filter(|old| old.found.is_some()) {
-        state.what_if.compared = old.other.as_ref().map(|other| other.analyzer.clone());
+        state.draft.compared = old.other.as_ref().map(|other| other.analyzer.clone());
     }
     let same = state.positions() == scene.positions();
     let old = exchange(state, scene);
-    if !same || state.what_if.shown.is_empty() {
+    if !same || state.draft.is_shown_as_opened() {
         state.compared.take_if(|compared| compared.before || !same);
     } else if state.compared.is_none() {
         let (name, own) = (text!("say-before"), Text::default());
         state.compared = old.map(|old| Compared { name, own, results: Box::new(old.results), before: true });
     }
-    if let Some(other) = state.what_if.compared.clone() {
+    if let Some(other) = state.draft.compared.clone() {
         ask_difference(state, Some(other));
     }
 }

@@ -4,7 +4,7 @@ use assur_analysis::results::{Column, Owner, Quantity, Turn};
 use assur_report::topic::About;
 use assur_words::{Text, number, quantity, text};
 
-use super::whatif;
+use super::draft;
 use crate::number::{digits, number as plain};
 use crate::screen::state::{Role, Scene, State, View};
 
@@ -69,7 +69,7 @@ pub(super) fn go_back(state: &mut State) {
         return stop.restore(state);
     }
     let count = state.effects.len();
-    whatif::open(state, stop.source.clone());
+    draft::open(state, stop.source.clone());
     if state.effects.len() > count {
         state.going_back = Some(stop);
     } else {

@@ -6,7 +6,7 @@ use assur_scene::edit::SceneValue;
 use assur_scene::reference::words_of;
 use assur_words::{self as words, Text, text};
 
-use super::{act, motors, picker, whatif, write};
+use super::{act, build, draft, motors, picker, write};
 use crate::screen::state::{
     Chosen, Group, Panels, Pictures, Role, SETTINGS, Scene, Source, State, View, Wanted,
 };
@@ -40,7 +40,7 @@ fn takers(state: &State) -> Vec<(String, Vec<String>)> {
         ("panels", View::TABS.map(|view| view.command().to_owned()).to_vec()),
         ("open", scenes.clone()),
         ("compare", scenes),
-        ("value", state.what_if.values.iter().map(|value| value.key.to_string()).collect()),
+        ("value", state.draft.values.iter().map(|value| value.key.to_string()).collect()),
     ];
     others.map(|(word, values)| (word.to_owned(), values)).into_iter().chain(settings).collect()
 }
@@ -77,7 +77,7 @@ pub(super) fn completions(state: &State, typed: &str) -> Vec<String> {
     }
     // Keys of values also match inside: their beginnings are hard to remember.
     if let Some(piece) = typed.strip_prefix("value ") {
-        let keys = state.what_if.values.iter().map(|value| value.key.to_string());
+        let keys = state.draft.values.iter().map(|value| value.key.to_string());
         let inside = keys.filter(|key| key.contains(piece) && !key.starts_with(piece));
         all.extend(inside.map(|key| format!("value {key}")));
     }
@@ -105,16 +105,17 @@ pub(super) fn run(state: &mut State, line: &str) {
         ("set", rest) => set(state, rest),
         ("compare", file) => compare(state, file),
         ("open", "") => picker::scenes(state),
-        ("open", file) => whatif::open(state, source(file)),
+        ("open", file) => draft::open(state, source(file)),
         ("position", number) if number.parse::<usize>().is_ok() => run(state, number),
         ("q", "") => run(state, "quit"),
         ("view", name) => view(state, name),
-        ("save", name) => whatif::save_line(state, name),
+        ("join", words) => build::rejoin_line(state, words),
+        ("save", name) => draft::save_line(state, name),
         ("write", name) if !name.is_empty() => write::write_to(state, write::home(name)),
         ("motors", rest) if !rest.is_empty() => motors::limits(state, rest),
         ("panels", names) if !names.is_empty() => panels(state, names),
         ("value", rest) => {
-            if !whatif::set(state, rest) {
+            if !draft::set(state, rest) {
                 unknown_name(state, word, rest.split_whitespace().next().unwrap_or_default());
             }
         }
@@ -243,7 +244,7 @@ fn row(state: &mut State, view: View, wanted: &str) -> Result<(), Vec<String>> {
     let of_value =
         |value: &SceneValue| std::iter::once((&value.key).into()).chain(words_of(&value.key)).collect();
     let rows: Vec<Vec<Text>> = match (view, state.found()) {
-        (View::Values, _) => state.what_if.values.iter().map(of_value).collect(),
+        (View::Values, _) => state.draft.values.iter().map(of_value).collect(),
         (View::Results, Some(found)) => found.results.iter().map(|(_, fact)| vec![fact.what()]).collect(),
         (_, Some(found)) => found.analysis.checks.iter().map(|check| vec![check.name.clone()]).collect(),
         _ => Vec::new(),

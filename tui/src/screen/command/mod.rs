@@ -1,7 +1,11 @@
 //! Commands: their table, their effects on the state, and the keys and lines that run them.
 
 mod act;
+mod build;
+mod draft;
+mod form;
 mod jobs;
+mod join;
 mod jump;
 mod line;
 mod modes;
@@ -9,20 +13,22 @@ mod motors;
 mod picker;
 mod probe;
 mod table;
-mod whatif;
+mod tour;
 mod write;
+pub(crate) use build::{new as begin, offer_recovered};
 pub(crate) use jobs::take;
 pub(crate) use table::COMMANDS;
+pub(crate) use tour::begin as tour;
 
 use assur_words::{number, text};
 use crossterm::event::{KeyCode, KeyEvent, MouseButton, MouseEvent, MouseEventKind};
 
 #[cfg(test)]
-pub(crate) use whatif::toggle;
+pub(crate) use draft::toggle;
 pub(crate) use write::grant;
 
 use super::state::{
-    Command, Group, Key, LONGEST, PickerKind, PromptKind, Purpose, Role, State, Stop, View, round,
+    Command, Group, Key, LONGEST, PickerKind, PromptKind, Purpose, Role, State, Stop, Task, View, round,
 };
 use super::view;
 
@@ -54,13 +60,24 @@ fn pass(state: &mut State, event: KeyEvent) {
     if let Some(command) = meant.filter(everywhere) {
         return (command.run)(state);
     }
-    if let Some(file) = state.question.take() {
-        return write::answer(state, file, key);
+    if let Some(question) = state.question.take() {
+        return write::answer(state, question, key);
     }
     if state.prompt.is_some() {
         return press_in_line(state, key);
     }
     state.message = None;
+    if state.builds() && state.fault.is_none() {
+        let is_help = key.code == KeyCode::Char('?');
+        match (&state.build.task, meant) {
+            (Task::Delete(_), _) => {
+                return build::answer_delete(state, matches!(key.code, KeyCode::Char('y' | 'Y')));
+            }
+            (Task::Form(_), _) if !is_help => return form::press(state, key),
+            (Task::Join(_), _) if !is_help => return join::press(state, key),
+            _ => {}
+        }
+    }
     // Before a search begins, the commands of the program keep their keys.
     let filter = state.help.as_ref().map(|help| &help.filter);
     let filter = filter.or(state.picker.as_ref().map(|picker| &picker.filter));
@@ -94,6 +111,8 @@ fn pass(state: &mut State, event: KeyEvent) {
 /// text is at its end.
 pub(crate) fn prepare(state: &mut State) {
     picker::preview(state);
+    build::look_for_closings(state);
+    tour::go_on(state);
     if state.entry().is_some_and(|entry| entry.cut) {
         state.say(Role::Bad, text!("say-too-long", most = number(LONGEST)));
     }
@@ -120,6 +139,10 @@ pub(crate) fn paste(state: &mut State, text: &str) {
     } else if let Some(picker) = &mut state.picker {
         (picker.filter.typing, picker.chosen) = (true, 0);
         picker.filter.text.push_str(&line);
+    } else if state.build.form().is_some() && state.builds() {
+        form::typed(state, |entry| entry.push_str(&line));
+    } else if let (Task::Join(join), View::Build) = (&mut state.build.task, state.view) {
+        join.entry.push_str(&line);
     } else if state.question.is_none() {
         // It is shown, and runs only after Enter.
         state.open_prompt(PromptKind::Command, line);
@@ -170,6 +193,9 @@ pub(crate) fn click(state: &mut State, mouse: MouseEvent) -> bool {
             None => false,
         },
         View::Mechanism if pressed && state.probe.is_some() => probe::click(state, area, cell),
+        View::Build if pressed && state.builds() => {
+            build::drag(state, area, cell, matches!(mouse.kind, MouseEventKind::Down(_)))
+        }
         _ => false,
     }
 }

@@ -6,7 +6,7 @@ use assur_kinematics::Modes;
 use assur_mechanism::Point;
 use assur_words::{ordinal, text};
 
-use super::whatif;
+use super::draft;
 use crate::screen::state::{Assembled, Role, Scene, State, round};
 
 /// Greatest distance at which a mode is still identified with the nearest one of the changed mechanism, rad or parts of the scale.
@@ -38,7 +38,7 @@ pub(super) fn take(state: &mut State) {
         return state.say(Role::Bad, text!("say-mode-without-points"));
     };
     let way = scene.modes(group, 0).map_or(index, |modes| modes.number(index));
-    let differs = whatif::assemble(state, &points);
+    let differs = draft::assemble(state, &points);
     let (role, id) =
         if differs { (Role::Good, "say-mode-taken") } else { (Role::Plain, "say-mode-is-taken") };
     state.say(role, text!(id, mode = ordinal(way)));
@@ -62,7 +62,7 @@ pub(super) fn keep(state: &mut State, coordinate: f64, before: &[Option<Arc<Mode
         };
         if index != modes.present {
             let points = points(scene, group, index).unwrap_or_default();
-            return whatif::assemble_too(state, &points);
+            return draft::assemble_too(state, &points);
         }
     }
 }
@@ -76,7 +76,6 @@ pub(super) fn all(scene: &Scene) -> Vec<Option<Arc<Modes>>> {
 fn points(scene: &Scene, group: usize, index: usize) -> Option<Vec<Assembled>> {
     let linkage = &scene.linkage;
     let (mechanism, frame) = (&linkage.mechanism, &linkage.structure.groups[group].frame);
-    let first = scene.pose(0, 0.0)?;
     let modes = scene.modes(group, 0)?;
     let mode = modes.all.get(index)?;
     let is_own = |point: &Point| point.places.iter().all(|place| frame.column(place.link).is_some());
@@ -88,7 +87,7 @@ fn points(scene: &Scene, group: usize, index: usize) -> Option<Vec<Assembled>> {
     let told = mechanism.points.iter().enumerate().filter(is_told).filter_map(|(_, point)| {
         let of = point.places.first()?;
         let place = mode.bodies[frame.column(of.link)?].point(of.at);
-        Some(Assembled { name: point.name.to_string(), present: first.bodies[of.link].point(of.at), place })
+        Some(Assembled { name: point.name.to_string(), place })
     });
     Some(told.collect())
 }

@@ -5,7 +5,7 @@ use assur_motor::{Candidate, MotorFilter, SelectionRequest, catalogues, list_mot
 use assur_scene::{Dimension, edit, quantity};
 use assur_words::{self as words, Describe, Text, name, number, text};
 
-use super::whatif;
+use super::draft;
 use crate::number::digits;
 use crate::screen::state::{Choice, Picker, PickerKind, Role, State};
 
@@ -92,17 +92,11 @@ fn row(state: &State, candidate: &Candidate<'_>, load: Option<f64>) -> Choice {
 
 pub(super) fn take(state: &mut State, designation: &str) {
     let (motor, key) = (name(designation.to_owned()), Key::of("drive").at("motor"));
-    let known = state.what_if.values.iter().position(|value| value.key == key);
+    let is_by_data = !state.draft.values.iter().any(|value| value.key == key);
     // Data of a motor of the scene's own are replaced as a whole.
-    let index = known.or_else(|| state.what_if.add_table(&key));
-    match index {
-        Some(index) => {
-            whatif::put(state, index, edit::quoted(designation));
-            if known.is_none() {
-                let undo = name(state.keys.first("undo"));
-                state.say(Role::Good, text!("say-motor-replaced", motor = motor, undo = undo));
-            }
-        }
-        None => state.say(Role::Bad, text!("say-motor-by-data", key = &key, motor = motor)),
+    let text = assur_draft::set(state.draft.text(), &key, &edit::quoted(designation));
+    if draft::take(state, text) && is_by_data {
+        let undo = name(state.keys.first("undo"));
+        state.say(Role::Good, text!("say-motor-replaced", motor = motor, undo = undo));
     }
 }

@@ -4,15 +4,21 @@ use assur_fixtures::SCENES;
 use assur_words::{name, text};
 use crossterm::event::KeyCode;
 
-use super::{motors, whatif};
+use super::{build, draft, motors, tour};
 use crate::screen::state::{Choice, Key, Picker, PickerKind, Series, Source, State, View, Wanted};
 
 const PAGE: isize = 10;
+/// The row that begins a scene from nothing: no name of a scene.
+const NEW: &str = "+";
+/// The row that begins the tour.
+const TOUR: &str = "++";
 
 pub(crate) fn scenes(state: &mut State) {
     state.playing = false;
     let row = |(scene, _): &(&str, &str)| Choice { name: (*scene).to_owned(), text: format!("{scene}.toml") };
-    let rows = SCENES.iter().map(row).collect();
+    let new = Choice { name: NEW.to_owned(), text: state.told(text!("picker-new")) };
+    let tour = Choice { name: TOUR.to_owned(), text: state.told(text!("picker-tour")) };
+    let rows = [new, tour].into_iter().chain(SCENES.iter().map(row)).collect();
     let line = state.keys.first("command");
     let heading = text!("picker-scenes", line = name(line));
     state.picker = Some(Picker::new(PickerKind::Scenes, heading, rows));
@@ -60,8 +66,13 @@ fn take(state: &mut State) {
     let Some(first) = taken.first() else { return };
     match kind {
         PickerKind::Scenes => {
+            match &**first {
+                NEW => return build::new(state),
+                TOUR => return tour::begin(state),
+                _ => {}
+            }
             if let Some((name, _)) = SCENES.iter().find(|(name, _)| name == first) {
-                whatif::open(state, Source::Shipped(name));
+                draft::open(state, Source::Shipped(name));
             }
             // The list stays until the scene is there.
             return;
@@ -73,6 +84,11 @@ fn take(state: &mut State) {
         PickerKind::Motors => {
             let designation = first.clone();
             motors::take(state, &designation);
+        }
+        kind => {
+            let first = first.clone();
+            state.picker = None;
+            return build::take(state, kind, &first);
         }
     }
     state.picker = None;

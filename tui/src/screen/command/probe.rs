@@ -12,7 +12,7 @@ const STEP: f64 = 0.01;
 /// Sets a point on the first coupler, or removes it.
 pub(super) fn toggle(state: &mut State) {
     let Some(scene) = &state.scene else { return };
-    state.what_if.open = false;
+    state.draft.open = false;
     state.probe = match state.probe {
         Some(_) => None,
         None => Some(Probe::of(scene, Probe::first_link(scene))),

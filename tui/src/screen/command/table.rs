@@ -1,19 +1,24 @@
 //! The table of commands, used for dispatch, hints, help screen, `:` line and configuration.
 
-use super::{act, jump, line, modes, picker, probe, whatif, write};
+use super::{act, build, draft, jump, line, modes, picker, probe, tour, write};
 use crate::screen::state::{
     Command, Effect, Group, Help, PromptKind, State, View, ViewPart, Zoom, next_kind,
 };
 
 use Group::{Change, Choose, Look, Move, Program, Views};
 use View::{
-    Accuracy, Checks, Curves, Drive, Forces, Mechanism, Motion, Plans, Probe, Results, Structure, Table,
-    Values, Working,
+    Accuracy, Build, Checks, Curves, Drive, Forces, Mechanism, Motion, Plans, Probe, Results, Structure,
+    Table, Values, Working,
 };
 
 const SCENE: &[View] = &View::TABS;
+/// Views in which a scene is shown or built.
+const OPEN: &[View] = &View::OPEN;
+const BUILD: &[View] = &[Build];
 const PAGES: &[View] = &View::WITHOUT_PAGES;
-const DRAWN: &[View] = &[Mechanism, Structure];
+const WITH_PAGES: &[View] =
+    &[Results, Mechanism, Curves, Forces, Plans, Motion, Drive, Checks, Structure, Table, Build];
+const DRAWN: &[View] = &[Mechanism, Structure, Build];
 const QUANTITY: &[View] = &[Mechanism, Curves];
 const PARTS: &[View] = &[Forces, Plans, Motion, Drive];
 const VALUED: &[View] = &[Mechanism, Curves, Forces, Motion, Table];
@@ -40,13 +45,13 @@ const fn command(
 pub(crate) const COMMANDS: &[Command] = &[
     command("do-next-position", Move, "Right l", SCENE, |s| s.step(1)),
     command("do-previous-position", Move, "Left h", SCENE, |s| s.step(-1)),
-    command("do-first-position", Move, "Home", PAGES, |s| s.go_to(0)),
+    command("do-first-position", Move, "Home", WITH_PAGES, |s| s.go_to(0)),
     command("do-last-position", Move, "End", PAGES, |s| s.go_to(s.positions() - 1)),
     command("do-forward", Move, "PgDn", PAGES, |s| act::jump(s, 1)),
     command("do-back", Move, "PgUp", PAGES, |s| act::jump(s, -1)),
-    command("do-play", Move, "Space", SCENE, |s| s.playing = !s.playing),
-    command("do-faster", Move, ".", SCENE, |s| act::pace(s, 1)),
-    command("do-slower", Move, ",", SCENE, |s| act::pace(s, -1)),
+    command("do-play", Move, "Space", OPEN, |s| s.playing = !s.playing),
+    command("do-faster", Move, ".", OPEN, |s| act::pace(s, 1)),
+    command("do-slower", Move, ",", OPEN, |s| act::pace(s, -1)),
     command("do-greatest", Move, "g", VALUED, jump::greatest),
     command("do-next-extreme", Move, "G", VALUED, jump::next_extreme),
     command("do-next-row", Move, "Down j", &[Table], |s| act::row(s, 1)),
@@ -64,8 +69,8 @@ pub(crate) const COMMANDS: &[Command] = &[
     command("do-next-group", Choose, "Down j", &[Structure], |s| act::group(s, 1)),
     command("do-previous-group", Choose, "Up k", &[Structure], |s| act::group(s, -1)),
     command("do-nearest", Choose, "Enter", &[Structure], act::nearest),
-    command("do-next-mode", Choose, "]", &[Structure], |s| modes::show(s, 1)).only(modes::are_several),
-    command("do-previous-mode", Choose, "[", &[Structure], |s| modes::show(s, -1)).only(modes::are_several),
+    command("do-next-mode", Choose, "]", &[Structure, Build], |s| modes::show(s, 1)).only(modes::are_several),
+    command("do-previous-mode", Choose, "[", &[Structure, Build], |s| modes::show(s, -1)).only(modes::are_several),
     command("do-take-mode", Change, "A", &[Structure], modes::take).only(|s| s.mode_of(s.chosen.group).is_some()),
     command("do-next-reaction", Choose, "Down j", &[Forces], |s| act::choose(s, Forces, 1)),
     command("do-previous-reaction", Choose, "Up k", &[Forces], |s| act::choose(s, Forces, -1)),
@@ -96,28 +101,59 @@ pub(crate) const COMMANDS: &[Command] = &[
     command("do-next-column", Choose, "Tab >", &[Table], |s| act::choose(s, Table, 1)),
     command("do-previous-column", Choose, "S-Tab <", &[Table], |s| act::choose(s, Table, -1)),
     command("do-sort", Choose, "s", &[Table], act::sort),
-    command("do-what-if", Change, "e", SCENE, whatif::toggle),
+    command("do-what-if", Change, "e", SCENE, draft::toggle),
     command("do-next-value", Change, "Down j", &[Values], |s| act::choose(s, Values, 1)),
     command("do-previous-value", Change, "Up k", &[Values], |s| act::choose(s, Values, -1)),
-    command("do-raise", Change, "+ =", &[Values], |s| whatif::shift(s, 1.0)),
-    command("do-lower", Change, "-", &[Values], |s| whatif::shift(s, -1.0)),
-    command("do-step-size", Change, "%", &[Values], whatif::step),
-    command("do-exact-value", Change, "Enter", &[Values], whatif::exact),
-    command("do-undo", Change, "u", SCENE, whatif::undo).only(|s| s.what_if.changes() > 0),
-    command("do-save", Change, "S", SCENE, whatif::save).only(|s| s.what_if.changes() > 0),
-    command("do-results", Views, "R", SCENE, |s| s.view = Results),
-    command("do-mechanism", Views, "1", SCENE, |s| s.view = Mechanism),
-    command("do-curves", Views, "2", SCENE, |s| s.view = Curves),
-    command("do-forces", Views, "3", SCENE, |s| s.view = Forces),
-    command("do-plans", Views, "4", SCENE, |s| s.view = Plans),
-    command("do-motion", Views, "5", SCENE, |s| s.view = Motion),
-    command("do-drive", Views, "6", SCENE, |s| s.view = Drive),
-    command("do-checks", Views, "7", SCENE, |s| s.view = Checks),
-    command("do-accuracy", Views, "8", SCENE, |s| s.view = Accuracy),
-    command("do-structure", Views, "9", SCENE, |s| s.view = Structure),
-    command("do-table", Views, "t", SCENE, |s| s.view = Table),
-    command("do-working", Views, "W", SCENE, |s| s.view = Working),
+    command("do-raise", Change, "+ =", &[Values], |s| draft::shift(s, 1.0)),
+    command("do-lower", Change, "-", &[Values], |s| draft::shift(s, -1.0)),
+    command("do-step-size", Change, "%", &[Values], draft::step),
+    command("do-exact-value", Change, "Enter", &[Values], draft::exact),
+    command("do-undo", Change, "u", OPEN, draft::undo).only(|s| s.draft.has_steps()[0]),
+    command("do-redo", Change, "C-r", OPEN, draft::redo).only(|s| s.draft.has_steps()[1]),
+    command("do-save", Change, "S", OPEN, draft::save).only(|s| s.draft.is_changed()),
+    command("do-add-group", Change, "A", BUILD, build::add),
+    command("do-thing", Choose, "Enter", BUILD, build::enter).only(|s| s.build.chosen.is_some()),
+    command("do-next-thing", Choose, "Tab", BUILD, |s| build::next(s, 1)),
+    command("do-previous-thing", Choose, "S-Tab", BUILD, |s| build::next(s, -1)),
+    command("do-go-right", Choose, "Right l", BUILD, |s| build::go(s, [1.0, 0.0])),
+    command("do-go-left", Choose, "Left h", BUILD, |s| build::go(s, [-1.0, 0.0])),
+    command("do-go-up", Choose, "Up k", BUILD, |s| build::go(s, [0.0, 1.0])),
+    command("do-go-down", Choose, "Down j", BUILD, |s| build::go(s, [0.0, -1.0])),
+    command("do-shift-right", Change, "S-Right", BUILD, |s| build::shift(s, [1.0, 0.0])),
+    command("do-shift-left", Change, "S-Left", BUILD, |s| build::shift(s, [-1.0, 0.0])),
+    command("do-shift-up", Change, "S-Up", BUILD, |s| build::shift(s, [0.0, 1.0])),
+    command("do-shift-down", Change, "S-Down", BUILD, |s| build::shift(s, [0.0, -1.0])),
+    command("do-grab", Change, "g", BUILD, build::grab).only(|s| s.build.chosen.is_some()),
+    command("do-move-step", Change, "%", BUILD, build::step),
+    command("do-turn-left", Change, "<", BUILD, |s| build::turn(s, 1.0)),
+    command("do-turn-right", Change, ">", BUILD, |s| build::turn(s, -1.0)),
+    command("do-rename", Change, "N", BUILD, build::rename).only(|s| s.build.chosen.is_some()),
+    command("do-delete", Change, "D Del", BUILD, build::ask_delete).only(|s| s.build.chosen.is_some()),
+    command("do-add-point", Change, "P", BUILD, build::add_point),
+    command("do-join-elsewhere", Change, "J", BUILD, build::rejoin).only(|s| s.build.chosen.is_some()),
+    command("do-tables", Change, "T", BUILD, build::tables),
+    command("do-masses", Change, "w", BUILD, build::masses),
+    command("do-drives", Change, "i", BUILD, build::input),
+    command("do-close-gap", Change, "C", BUILD, build::close).only(|s| s.build.read.as_ref().is_some_and(|read| !read.closings.is_empty())),
+    command("do-next-fault", Choose, "E", BUILD, build::fault).only(|s| s.build.read.as_ref().is_some_and(|read| !read.faults.is_empty())),
+    command("do-file-down", Choose, "PgDn", BUILD, |s| build::scroll(s, 1)),
+    command("do-file-up", Choose, "PgUp", BUILD, |s| build::scroll(s, -1)),
+    command("do-results", Views, "R", OPEN, |s| s.view = Results),
+    command("do-mechanism", Views, "1", OPEN, |s| s.view = Mechanism),
+    command("do-curves", Views, "2", OPEN, |s| s.view = Curves),
+    command("do-forces", Views, "3", OPEN, |s| s.view = Forces),
+    command("do-plans", Views, "4", OPEN, |s| s.view = Plans),
+    command("do-motion", Views, "5", OPEN, |s| s.view = Motion),
+    command("do-drive", Views, "6", OPEN, |s| s.view = Drive),
+    command("do-checks", Views, "7", OPEN, |s| s.view = Checks),
+    command("do-accuracy", Views, "8", OPEN, |s| s.view = Accuracy),
+    command("do-structure", Views, "9", OPEN, |s| s.view = Structure),
+    command("do-table", Views, "t", OPEN, |s| s.view = Table),
+    command("do-working", Views, "W", OPEN, |s| s.view = Working),
     command("do-panels", Views, "P", SCENE, |s| s.panels.shown = !s.panels.shown),
+    command("do-build", Views, "B", &[], build::toggle),
+    command("do-new", Views, "", &[], build::new),
+    command("do-tour", Views, "", &[], tour::begin),
     command("do-scenes", Views, "o", &[], picker::scenes),
     command("do-arrows", Look, "v", &[Mechanism], |s| s.arrows = next_kind(s.arrows)),
     command("do-trace", Look, "x", &[Mechanism], |s| s.traces = next_kind(s.traces)),
@@ -131,6 +167,7 @@ pub(crate) const COMMANDS: &[Command] = &[
     command("do-marker", Look, "m", &[], |s| s.look.marker = next_kind(s.look.marker)),
     command("do-pixels", Look, "I", &[], act::pixels),
     command("do-ascii", Look, "a", &[], |s| s.look.ascii = !s.look.ascii),
+    command("do-mouse", Look, "M", &[], |s| s.look.mouse = !s.look.mouse),
     command("do-theme", Look, "c", &[], act::theme),
     command("do-help", Program, "?", &[], |s| s.help = Some(Help::default())),
     command("do-command", Program, ":", &[], |s| s.open_prompt(PromptKind::Command, "")),
@@ -143,5 +180,5 @@ pub(crate) const COMMANDS: &[Command] = &[
     command("do-redraw", Program, "C-l", &[], |s| s.effects.push(Effect::Redraw)),
     command("do-suspend", Program, "C-z", &[], |s| s.effects.push(Effect::Suspend)),
     command("do-close", Program, "Esc C-g", &[], act::close),
-    command("do-quit", Program, "q C-c", &[], whatif::quit),
+    command("do-quit", Program, "q C-c", &[], draft::quit),
 ];

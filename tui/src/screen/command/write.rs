@@ -9,8 +9,11 @@ use assur_report::csv::{self, CsvCell};
 use assur_words::{Describe, Text, name, text};
 use crossterm::event::KeyCode;
 
+use super::build;
 use crate::files;
-use crate::screen::state::{Effect, Job, Key, OutputFile, Role, Scene, State, View, ViewPart};
+use crate::screen::state::{
+    Effect, Job, Key, OutputFile, Question, Role, Scene, Source, State, View, ViewPart,
+};
 use crate::screen::view;
 use crate::still::{PAGE, picture};
 
@@ -200,14 +203,17 @@ pub(crate) fn grant(state: &mut State, file: OutputFile) {
     let path = std::path::absolute(&file.path).unwrap_or_else(|_| file.path.clone());
     let beside = path.with_extension("csv");
     if (path.exists() || (file.numbers.is_some() && beside.exists())) && !file.overwrite {
-        state.question = Some(file);
+        state.question = Some(Question::Overwrite(file));
         return;
     }
     let numbers = file.numbers.as_ref().map_or(Ok(()), |numbers| files::write(&beside, numbers));
     match numbers.and_then(|()| files::write(&path, &file.content)) {
         Ok(()) => {
             if file.scene {
-                state.what_if.saved.clone_from(&state.what_if.wanted);
+                state.draft.saved = Some(Arc::clone(state.draft.text()));
+                if state.draft.source == Source::New {
+                    state.draft.source = Source::File(file.path.clone());
+                }
             }
             let told = if file.numbers.is_some() { "say-written-both" } else { "say-written" };
             state.say(Role::Good, text!(told, file = name(path.display().to_string())));
@@ -216,8 +222,11 @@ pub(crate) fn grant(state: &mut State, file: OutputFile) {
     }
 }
 
-/// The answer to "overwrite?".
-pub(super) fn answer(state: &mut State, file: OutputFile, key: Key) {
+pub(super) fn answer(state: &mut State, question: Question, key: Key) {
+    let file = match question {
+        Question::Overwrite(file) => file,
+        Question::Recover(found) => return build::recover(state, found, key),
+    };
     if matches!(key.code, KeyCode::Char('y' | 'Y')) {
         state.message = None;
         state.effects.push(Effect::Write(OutputFile { overwrite: true, ..file }));

@@ -13,8 +13,8 @@ use assur_study::stability::Stability;
 use assur_words::Text;
 
 use super::Found;
+use super::draft::{Change, Recovered};
 use super::scene::Scene;
-use super::whatif::Change;
 use crate::session::{Session, Source};
 
 /// Actions that a command requests because the state can't do them.
@@ -41,6 +41,15 @@ pub(crate) struct OutputFile {
     pub(crate) overwrite: bool,
     /// Whether it is the open scene with its changes.
     pub(crate) scene: bool,
+}
+
+/// What is done only after confirmation.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) enum Question {
+    /// A file that exists is replaced.
+    Overwrite(OutputFile),
+    /// Unsaved changes are opened, or thrown away.
+    Recover(Recovered),
 }
 
 #[derive(Debug)]

@@ -121,12 +121,19 @@ impl Keymap {
 pub(crate) struct Key {
     pub(crate) code: KeyCode,
     pub(crate) control: bool,
+    /// With the shift key; of letters it is in the letter itself.
+    pub(crate) shift: bool,
 }
 
 impl From<KeyEvent> for Key {
     fn from(event: KeyEvent) -> Self {
-        Self { code: event.code, control: event.modifiers.contains(KeyModifiers::CONTROL) }
+        let shift = is_arrow(event.code) && event.modifiers.contains(KeyModifiers::SHIFT);
+        Self { code: event.code, control: event.modifiers.contains(KeyModifiers::CONTROL), shift }
     }
+}
+
+fn is_arrow(code: KeyCode) -> bool {
+    matches!(code, KeyCode::Left | KeyCode::Right | KeyCode::Up | KeyCode::Down)
 }
 
 const NAMES: &[(KeyCode, &str)] = &[
@@ -157,7 +164,11 @@ impl Key {
             KeyCode::F(number) => format!("F{number}"),
             other => format!("{other:?}"),
         });
-        if self.control { format!("C-{name}") } else { name }
+        match (self.control, self.shift) {
+            (true, _) => format!("C-{name}"),
+            (_, true) => format!("S-{name}"),
+            _ => name,
+        }
     }
 
     pub(crate) fn names() -> String {
@@ -170,6 +181,10 @@ impl Key {
             Some(rest) if !rest.is_empty() => (true, rest),
             _ => (false, name),
         };
+        let (shift, name) = match name.strip_prefix("S-") {
+            Some(rest) if Self::parse(rest).is_some_and(|key| is_arrow(key.code)) => (true, rest),
+            _ => (false, name),
+        };
         let code = NAMES.iter().find(|(_, known)| known.eq_ignore_ascii_case(name)).map(|(code, _)| *code);
         let mut letters = name.chars();
         let code = match (code, letters.next(), letters.next()) {
@@ -177,6 +192,6 @@ impl Key {
             (None, Some(letter), None) => KeyCode::Char(letter),
             _ => KeyCode::F(name.strip_prefix(['F', 'f'])?.parse().ok().filter(|n| (1..=12).contains(n))?),
         };
-        Some(Self { code, control })
+        Some(Self { code, control, shift })
     }
 }

@@ -28,6 +28,8 @@ pub(crate) enum View {
     Values,
     /// The point that is moved over the drawing of the mechanism.
     Probe,
+    /// The mechanism while it is built; it has no tab.
+    Build,
 }
 
 use View::{
@@ -38,6 +40,22 @@ impl View {
     /// Every view that has a tab, in the order of the tabs.
     pub(crate) const TABS: [Self; 12] = [
         Results, Mechanism, Curves, Forces, Plans, Motion, Drive, Checks, Accuracy, Structure, Table, Working,
+    ];
+    /// Every view of a scene that is shown or built.
+    pub(crate) const OPEN: [Self; 13] = [
+        Results,
+        Mechanism,
+        Curves,
+        Forces,
+        Plans,
+        Motion,
+        Drive,
+        Checks,
+        Accuracy,
+        Structure,
+        Table,
+        Working,
+        Self::Build,
     ];
     /// The views in which Home, End and the page keys change the position.
     pub(crate) const WITHOUT_PAGES: [Self; 10] =
@@ -63,6 +81,7 @@ impl View {
             Results => "view-results",
             Self::Values => "view-what-if",
             Self::Probe => "view-probe",
+            Self::Build => "view-build",
         })
     }
 

@@ -1,6 +1,8 @@
 //! Everything on which a frame depends. Commands change it, views read it; nothing here draws or knows a command by
 //! name.
 
+mod build;
+mod draft;
 mod job;
 mod keymap;
 mod kinds;
@@ -9,7 +11,6 @@ mod picker;
 mod scene;
 mod shown;
 mod subsequence;
-mod whatif;
 
 use std::cell::RefCell;
 use std::collections::BTreeMap;
@@ -26,8 +27,13 @@ pub(crate) use assur_figure::cells::Marker;
 pub(crate) use assur_picture::{
     Arrows, Compared, Found, Probe, Reaction, Series, Traces, ViewPart, coordinate_unit,
 };
+pub(crate) use build::{
+    Build, Faulty, FormSource, FormTask, Join, MOVES, Read, Row, RowKind, Task, place, words_of,
+};
+pub(crate) use draft::{Assembled, Change, Draft, Reading, Recovered, STEPS};
 pub(crate) use job::{
-    CalculationRequest, Cancel, Effect, Job, Measured, Outcome, OutputFile, Purpose, Report, Running, Wanted,
+    CalculationRequest, Cancel, Effect, Job, Measured, Outcome, OutputFile, Purpose, Question, Report,
+    Running, Wanted,
 };
 pub(crate) use keymap::{Command, Group, Key, Keymap};
 pub(crate) use kinds::{Chosen, View, following, next_kind, round};
@@ -35,7 +41,6 @@ pub(crate) use look::{Kind, Look, Panels, Pictures, Role, SETTINGS, Theme};
 pub(crate) use picker::{Choice, Entry, Help, LONGEST, Picker, PickerKind, Prompt, PromptKind};
 pub(crate) use scene::Scene;
 pub(crate) use shown::Stop;
-pub(crate) use whatif::{Assembled, Change, Reading, STEPS, WhatIf};
 
 /// Greatest number of frames from a position to the next one.
 pub(crate) const FRAMES: u8 = 16;
@@ -49,7 +54,10 @@ pub(crate) struct State {
     pub(crate) commands: &'static [Command],
     pub(crate) keys: Keymap,
     pub(crate) scene: Option<Scene>,
-    pub(crate) what_if: WhatIf,
+    pub(crate) draft: Draft,
+    pub(crate) build: Build,
+    /// Step of the tour, from 0, and what it says.
+    pub(crate) tour: Option<(usize, Text)>,
     pub(crate) measured: Option<Box<Measured>>,
     pub(crate) picker: Option<Picker>,
     /// The shipped scenes that were read for their pictures, by name.
@@ -98,8 +106,10 @@ pub(crate) struct State {
     pub(crate) focused: bool,
     pub(crate) help: Option<Help>,
     pub(crate) prompt: Option<Prompt>,
-    /// A file that exists and is replaced only after confirmation.
-    pub(crate) question: Option<OutputFile>,
+    /// What is done only after confirmation.
+    pub(crate) question: Option<Question>,
+    /// Unsaved changes of programs that have died, which were not offered yet.
+    pub(crate) recovered: Vec<Recovered>,
     /// A message, shown until the next key.
     pub(crate) message: Option<(Role, Text)>,
     /// Errors of a file that could not be used, under a title, shown until the next key.
@@ -120,7 +130,7 @@ impl State {
         Self {
             commands,
             keys,
-            what_if: WhatIf::of(scene.as_ref()),
+            draft: Draft::of(scene.as_ref()),
             position: scene.as_ref().map_or(0, |scene| scene.first_position()),
             scene,
             look,
@@ -158,6 +168,11 @@ impl State {
         self.compared.as_ref().filter(|compared| !compared.before)
     }
 
+    /// Whether keys belong to building: nothing lies over it.
+    pub(crate) fn builds(&self) -> bool {
+        self.view == View::Build && self.picker.is_none() && self.help.is_none() && self.prompt.is_none()
+    }
+
     pub(crate) fn measuring(&self) -> Option<&Running> {
         self.running.iter().find(|running| running.purpose == Purpose::Measurement)
     }
@@ -167,7 +182,7 @@ impl State {
     }
 
     pub(crate) fn values_open(&self) -> bool {
-        self.what_if.open && self.scene.is_some()
+        self.draft.open && self.scene.is_some()
     }
 
     /// What is open within the view and takes keys before it.

@@ -90,6 +90,16 @@ pub(crate) enum PickerKind {
     Scenes,
     Quantities,
     Motors,
+    /// What a new mechanism begins with.
+    Starts,
+    /// Groups that can be added.
+    Additions,
+    /// Tables of the scene.
+    Tables,
+    /// What can be the input.
+    Drives,
+    /// What a field may be.
+    Choices,
 }
 
 #[derive(Debug, Clone, PartialEq, Eq)]

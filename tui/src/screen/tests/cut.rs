@@ -90,6 +90,6 @@ fn values_are_found_by_words() {
     let mut state = opened("shaper");
     press(&mut state, "e");
     write(&mut state, "/crank length");
-    let key = state.what_if.values[state.what_if.chosen].key.to_string();
+    let key = state.draft.values[state.draft.chosen].key.to_string();
     assert!(key.starts_with("link.crank.points."), "{key}");
 }

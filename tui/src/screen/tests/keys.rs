@@ -21,7 +21,7 @@ fn fingerprint(state: &State) -> String {
         state.playing,
         &state.panels,
     );
-    format!("{}{rest:?}{:?}", text(state, 120, 40), state.what_if)
+    format!("{}{rest:?}{:?}", text(state, 120, 40), state.draft)
 }
 
 /// Goes to a view; the list of values is opened below the mechanism, and the moved point over it.

@@ -317,7 +317,7 @@ fn a_motor_is_taken_into_the_scene() {
     let dynamics = state.found().unwrap().analysis.dynamics.as_ref().unwrap();
     assert_eq!(dynamics.motor.as_ref().unwrap().motor.designation, designation);
     press(&mut state, "u");
-    assert_eq!(state.what_if.changes(), 0);
+    assert_eq!(state.draft.changes(), 0);
     write(&mut state, ":motors 3 kW, 1000 rpm");
     let picker = state.picker.as_ref().unwrap();
     assert!(

@@ -7,10 +7,10 @@ use crate::screen::command;
 use crate::screen::state::{Effect, LONGEST, State, View};
 
 /// Numbers that look random and are the same in every run (Marsaglia's xorshift).
-struct Dice(u64);
+pub(super) struct Dice(pub(super) u64);
 
 impl Dice {
-    fn below(&mut self, count: usize) -> usize {
+    pub(super) fn below(&mut self, count: usize) -> usize {
         self.0 ^= self.0 << 13;
         self.0 ^= self.0 >> 7;
         self.0 ^= self.0 << 17;

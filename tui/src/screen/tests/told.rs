@@ -72,12 +72,12 @@ fn the_list_of_values_goes_by_pages_and_tells_a_key_in_full() {
     let mut state = opened("triad");
     press(&mut state, "e PgDn");
     // Of the 20 rows of the body the list has 7, one of them its title.
-    assert_eq!((state.what_if.chosen, state.position), (6, 0));
+    assert_eq!((state.draft.chosen, state.position), (6, 0));
     press(&mut state, "PgUp");
-    assert_eq!(state.what_if.chosen, 0);
+    assert_eq!(state.draft.chosen, 0);
     write(&mut state, "/link.rod.points.D");
     press(&mut state, "+");
-    let key = state.what_if.values[state.what_if.chosen].key.to_string();
+    let key = state.draft.values[state.draft.chosen].key.to_string();
     let frame = text(&state, 80, 24);
     assert!(frame.contains("greatest values, before -> now"), "the results leave half of the width: {frame}");
     let rows: Vec<&str> = frame.lines().skip(15).collect();

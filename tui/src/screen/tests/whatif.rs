@@ -42,7 +42,7 @@ fn a_longer_crank_shows_in_every_view_and_undo_leads_back_to_the_same_screen() {
         assert!(follows, "{view:?}: {changed}");
         press(&mut state, "+ - u u u");
         assert_eq!(text(&state, 80, 24), before, "{view:?}");
-        assert_eq!(state.what_if.changes(), 0);
+        assert_eq!(state.draft.changes(), 0);
     }
 }
 
@@ -227,9 +227,9 @@ fn the_list_gives_the_keys_back() {
     assert_eq!(state.position, 1, "what the list does not take goes to the view");
     press(&mut state, "Esc Down");
     assert_eq!(state.chosen.transfer, chosen + 1);
-    let chosen = state.what_if.chosen;
+    let chosen = state.draft.chosen;
     press(&mut state, "e o Down");
-    assert_eq!(state.what_if.chosen, chosen, "the list of scenes lies over it");
+    assert_eq!(state.draft.chosen, chosen, "the list of scenes lies over it");
 }
 
 #[cfg(unix)]
@@ -271,13 +271,13 @@ fn a_changed_length_compiles_once_and_a_changed_mass_never() {
         let mut state = opened(name);
         let before = compiled(&state);
         assert!(before.iter().all(|other| *other == before[0]), "{name}");
-        let values = state.what_if.values.iter();
+        let values = state.draft.values.iter();
         let keys: Vec<_> =
             values.map(|value| value.key.to_string()).filter(|key| key.starts_with("link.")).collect();
         let one = |ending: &str| keys.iter().find(|key| key.ends_with(ending)).cloned();
         if let Some(mass) = one(".mass") {
             write(&mut state, &format!(":value {mass} 7 kg"));
-            assert!(state.what_if.changes() == 1 && compiled(&state) == before, "{name}: {mass}");
+            assert!(state.draft.changes() == 1 && compiled(&state) == before, "{name}: {mass}");
             press(&mut state, "u");
             assert_eq!(compiled(&state), before, "{name}: {mass}");
         }

@@ -7,7 +7,9 @@ use ratatui::widgets::{Block, Clear, Widget};
 use unicode_width::UnicodeWidthStr;
 
 use crate::screen::draw::{Pen, folded, short, wrapped};
-use crate::screen::state::{Command, Key, PickerKind, PromptKind, Role, Running, State, View};
+use crate::screen::state::{
+    Command, Key, PickerKind, PromptKind, Question, Role, Running, State, Task, View,
+};
 
 /// A command that applies in at most this many views belongs to them.
 const OWN: usize = 4;
@@ -22,9 +24,12 @@ pub(super) fn draw(pen: &mut Pen<'_>, area: Rect) {
         let text: String = text.chars().skip(skip).collect();
         pen.put(area, 0, 1, &text, Role::Plain);
         pen.put(area, short(text.width()), 1, " ", Role::Cursor);
-    } else if let Some(file) = &state.question {
-        let file = name(file.path.display().to_string());
-        pen.tell(area, 1, 1, text!("overwrite", file = file), Role::Bad);
+    } else if let Some(question) = &state.question {
+        let question = match question {
+            Question::Overwrite(file) => text!("overwrite", file = name(file.path.display().to_string())),
+            Question::Recover(found) => text!("recover", scene = name(found.source.short_name())),
+        };
+        pen.tell(area, 1, 1, question, Role::Bad);
     } else if let Some((role, text)) = &state.message {
         let told = state.told(text);
         let lines = wrapped(&told, usize::from(area.width.saturating_sub(2)).max(1));
@@ -41,6 +46,9 @@ pub(super) fn draw(pen: &mut Pen<'_>, area: Rect) {
         let text = calculating(state, running);
         pen.tell(area, 1, 0, text, Role::Dim);
     }
+    if let Some(hint) = building(state).filter(|_| state.message.is_none()) {
+        return pen.tell(area, 1, 0, hint, Role::Plain);
+    }
     match (&state.help, &state.picker, &state.message) {
         // The line that is written stands below.
         (.., Some((role, text))) if state.prompt.is_some() => {
@@ -55,6 +63,18 @@ pub(super) fn draw(pen: &mut Pen<'_>, area: Rect) {
             pen.put(area, 1, 0, &text, Role::Plain);
         }
         _ => draw_hints(pen, area),
+    }
+}
+
+/// The keys of the task that building has in hand.
+fn building(state: &State) -> Option<Text> {
+    let close = name(state.keys.first("close"));
+    match state.build.task {
+        _ if !state.builds() => None,
+        Task::Form(_) => Some(text!("build-form-keys", close)),
+        Task::Join(_) => Some(text!("build-join-keys", close)),
+        Task::Move => Some(text!("build-move-keys", close)),
+        Task::Delete(_) | Task::Choose => None,
     }
 }
 

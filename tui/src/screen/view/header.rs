@@ -25,7 +25,7 @@ pub(super) fn draw(pen: &mut Pen<'_>, area: Rect) {
     let column = short(position.width() + 4);
     let room = usize::from(area.width.saturating_sub(column));
     let (role, text) = match changed(state, room) {
-        Some(text) if state.what_if.reading == Reading::Refused => (Role::Bad, text),
+        Some(text) if state.draft.reading == Reading::Refused => (Role::Bad, text),
         Some(text) => (Role::Header, text),
         None => (Role::Plain, state.told(title(state, scene))),
     };
@@ -43,7 +43,7 @@ fn title(state: &State, scene: &Scene) -> Text {
 
 /// `* link.crank.points.A 100 mm -> 101 mm`: the last change, the number of other changes, and whether they are valid.
 fn changed(state: &State, room: usize) -> Option<String> {
-    let what = &state.what_if;
+    let what = &state.draft;
     let last = what.last()?;
     let more = match what.changes() - 1 {
         0 => String::new(),
@@ -55,8 +55,8 @@ fn changed(state: &State, room: usize) -> Option<String> {
         String::new()
     };
     // A table of values, such as a motor's, has no room beside its key.
-    let shown =
-        Some(format!(" {}", brief(&what.shown(last)))).filter(|shown| 2 * shown.width() <= room + KEY_ROOM);
+    let shown = Some(format!(" {}", brief(&what.shown_value(last))))
+        .filter(|shown| 2 * shown.width() <= room + KEY_ROOM);
     let value = format!("{}{more}{refused}", shown.unwrap_or_default());
     let key = values::tail(&what.values[last].key.to_string(), room.saturating_sub(value.width() + 2).max(6));
     Some(format!("* {key}{value}"))

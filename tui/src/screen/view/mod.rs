@@ -2,6 +2,7 @@
 
 mod advice;
 mod ascii;
+pub(crate) mod build;
 mod checks;
 pub(crate) mod curves;
 mod drive;
@@ -24,7 +25,7 @@ use assur_words::{number, text};
 use ratatui::Frame;
 use ratatui::layout::{Constraint, Layout, Rect};
 
-use crate::screen::draw::{Pen, cut};
+use crate::screen::draw::{Pen, cut, wrapped};
 use crate::screen::state::{Role, State, View};
 
 /// Smallest terminal that holds the views.
@@ -35,6 +36,8 @@ const SEVERAL: u16 = 120;
 const MAIN: u16 = 80;
 /// Least height of a view beside it.
 const PANEL: u16 = 15;
+/// Rows of a step of the tour.
+const TOUR: u16 = 4;
 
 pub(crate) fn draw(state: &State, frame: &mut Frame<'_>) {
     state.shown.borrow_mut().clear();
@@ -62,6 +65,9 @@ pub(crate) fn draw(state: &State, frame: &mut Frame<'_>) {
 }
 
 fn draw_body(pen: &mut Pen<'_>, body: Rect) {
+    let [body, tour] =
+        Layout::vertical([Constraint::Min(0), Constraint::Length(tour_rows(pen.state))]).areas(body);
+    draw_tour(pen, tour);
     let [views, list] = shared(pen.state, body);
     for (number, (view, area)) in tiles(pen.state, views).into_iter().enumerate() {
         if number == 0 {
@@ -76,6 +82,20 @@ fn draw_body(pen: &mut Pen<'_>, body: Rect) {
     if let Some(open) = &pen.state.picker {
         picker::draw(pen, open, body);
     }
+}
+
+/// Rows that the present step of the tour takes.
+fn tour_rows(state: &State) -> u16 {
+    if state.tour.is_some() { TOUR } else { 0 }
+}
+
+/// The present step of the tour.
+fn draw_tour(pen: &mut Pen<'_>, area: Rect) {
+    let Some((_, told)) = &pen.state.tour else { return };
+    let told = pen.state.told(told.clone());
+    let lines = wrapped(&told, usize::from(area.width).saturating_sub(2).max(1)).into_iter();
+    let lines: Vec<_> = lines.map(|line| (Role::Key, line)).take(area.height.into()).collect();
+    pen.put_lines(area, 1, &lines);
 }
 
 fn parts(area: Rect) -> [Rect; 3] {
@@ -106,6 +126,7 @@ fn tiles(state: &State, body: Rect) -> Vec<(View, Rect)> {
 /// The views with their places on the terminal, the chosen one first.
 pub(crate) fn areas(state: &State) -> Vec<(View, Rect)> {
     let body = parts(Rect::new(0, 0, state.size.0, state.size.1))[1];
+    let body = Rect { height: body.height.saturating_sub(tour_rows(state)), ..body };
     tiles(state, shared(state, body)[0])
 }
 
@@ -126,6 +147,9 @@ pub(crate) fn figure(state: &State, view: View) -> Option<Figure> {
 }
 
 pub(crate) fn draw_view(pen: &mut Pen<'_>, view: View, area: Rect) {
+    if view == View::Build {
+        return build::draw(pen, area);
+    }
     let Some(scene) = &pen.state.scene else { return };
     if !pen.state.has(view) {
         return advice::draw(pen, scene, view, area);
@@ -142,7 +166,7 @@ pub(crate) fn draw_view(pen: &mut Pen<'_>, view: View, area: Rect) {
         View::Structure => structure::draw(pen, scene, area),
         View::Table => table::draw(pen, scene, area),
         View::Results => checks::draw_results(pen, scene, area),
-        View::Values | View::Probe => {}
+        View::Values | View::Probe | View::Build => {}
     }
 }
 

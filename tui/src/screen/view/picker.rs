@@ -6,6 +6,7 @@ use assur_words::{Text, name, number, text};
 use ratatui::layout::{Constraint, Layout, Rect};
 use ratatui::widgets::{Clear, Widget};
 
+use super::build;
 use crate::screen::draw::{Pen, cut, short};
 use crate::screen::state::{Choice, Picker, PickerKind, Role, Scene, Series, State};
 
@@ -13,6 +14,8 @@ use crate::screen::state::{Choice, Picker, PickerKind, Role, Scene, Series, Stat
 const SCENE: u16 = 26;
 /// Columns of the list of quantities.
 const QUANTITY: u16 = 44;
+/// Columns of the list of groups that can be added.
+const ADDITION: u16 = 54;
 
 pub(super) fn draw(pen: &mut Pen<'_>, picker: &Picker, area: Rect) {
     Clear.render(area, pen.buffer);
@@ -20,7 +23,12 @@ pub(super) fn draw(pen: &mut Pen<'_>, picker: &Picker, area: Rect) {
     let width = match picker.kind {
         PickerKind::Scenes => SCENE,
         PickerKind::Quantities => QUANTITY,
-        PickerKind::Motors => rest.width,
+        PickerKind::Additions => ADDITION,
+        PickerKind::Motors
+        | PickerKind::Starts
+        | PickerKind::Tables
+        | PickerKind::Drives
+        | PickerKind::Choices => rest.width,
     };
     let [list, picture] = Layout::horizontal([Constraint::Length(width), Constraint::Min(0)]).areas(rest);
     pen.tell(title, 1, 0, &picker.heading, Role::Header);
@@ -40,6 +48,7 @@ pub(super) fn draw(pen: &mut Pen<'_>, picker: &Picker, area: Rect) {
     match (picker.kind, picker.choice()) {
         (PickerKind::Scenes, Some(choice)) => preview(pen, choice, picture),
         (PickerKind::Quantities, Some(choice)) => curve(pen, choice, picture),
+        (PickerKind::Additions, Some(choice)) => pattern(pen, choice, picture),
         _ => {}
     }
 }
@@ -60,6 +69,16 @@ fn preview(pen: &mut Pen<'_>, choice: &Choice, area: Rect) {
             let text = pen.state.told(text!("picker-reading", scene = name(choice.text.clone())));
             pen.put(area, 1, 0, &text, Role::Dim);
         }
+    }
+}
+
+fn pattern(pen: &mut Pen<'_>, choice: &Choice, area: Rect) {
+    let found = assur_sketch::additions()
+        .unwrap_or_default()
+        .into_iter()
+        .find(|addition| addition.name == choice.name);
+    if let Some(addition) = found {
+        pen.paint(&build::pattern(&addition), area);
     }
 }
 

@@ -34,7 +34,7 @@ pub(crate) fn draw(pen: &mut Pen<'_>, area: Rect) {
 }
 
 fn draw_list(pen: &mut Pen<'_>, area: Rect) {
-    let what = &pen.state.what_if;
+    let what = &pen.state.draft;
     let place = format!(" {} / {} ", (what.chosen + 1).min(what.values.len()), what.values.len());
     let step = number(plain(what.per_cent()));
     let title = pen.state.told(text!("values-title", step = step, changed = number(what.changes())));
@@ -48,7 +48,8 @@ fn draw_list(pen: &mut Pen<'_>, area: Rect) {
     let widest = widest.min(KEYS).min(usize::from(area.width).saturating_sub(VALUE));
     let room = usize::from(area.width).saturating_sub(widest + 5);
     // What is cut of the chosen one is told in full below.
-    let whole = what.values.get(what.chosen).map(|value| (value.key.to_string(), what.shown(what.chosen)));
+    let whole =
+        what.values.get(what.chosen).map(|value| (value.key.to_string(), what.shown_value(what.chosen)));
     let whole = whole.filter(|(key, shown)| key.width() > widest || shown.width() > room);
     let whole = whole.map_or_else(Vec::new, |(key, shown)| {
         wrapped(&format!("{key}  {shown}"), usize::from(area.width).saturating_sub(4).max(1))
@@ -61,8 +62,8 @@ fn draw_list(pen: &mut Pen<'_>, area: Rect) {
     for (row, (index, value)) in what.values.iter().enumerate().skip(skip).take(rows).enumerate() {
         let chosen = index == what.chosen;
         let sign = [' ', '>'][usize::from(chosen)];
-        let mark = [' ', '*'][usize::from(what.is_changed(index))];
-        let (key, shown) = (tail(&value.key.to_string(), widest), what.shown(index));
+        let mark = [' ', '*'][usize::from(what.is_value_changed(index))];
+        let (key, shown) = (tail(&value.key.to_string(), widest), what.shown_value(index));
         // Where both don't fit, the new value is more informative than the old one.
         let shown = match shown.split_once(" -> ") {
             Some((_, new)) if shown.width() > room => format!("-> {new}"),

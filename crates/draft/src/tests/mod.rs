@@ -1,0 +1,6 @@
+//! What the parts say of texts: single cases, then whatever comes.
+
+mod edit;
+mod names;
+mod readable;
+mod whatever;

@@ -1,0 +1,121 @@
+//! Every key of the reference in a form, and every table made anew.
+
+use std::collections::BTreeSet;
+
+use assur_fixtures::SCENES;
+use assur_scene::reference::{TABLES, ValueKind};
+
+use super::{key, read, reads, shaper};
+use crate::{Choice, Field, Offers, added, made, put, rows, sections, table};
+
+fn offers() -> Vec<(&'static str, Vec<Choice>)> {
+    let words = |words: &[&str]| words.iter().map(|word| Choice::word(*word)).collect();
+    vec![("motor", words(&["4A100L4"])), ("catalogue", words(&["4A"])), ("integrator", words(&["dopri5"]))]
+}
+
+/// The shipped scenes, and one with a law of its input over time.
+pub(super) fn scenes() -> impl Iterator<Item = String> {
+    let arm = include_str!("../../../scene/src/tests/arm.toml");
+    let boom = include_str!("../../../scene/src/tests/boom.toml").replace("until = \"3.5 s\"", "until = \"2 s\"");
+    SCENES.iter().map(|(_, text)| (*text).to_owned()).chain([arm.to_owned(), boom])
+}
+
+/// The tables of a scene and the tables in them, with their headers.
+pub(super) fn forms(text: &str, offers: Offers<'_>) -> Vec<(&'static str, crate::Form)> {
+    let mut all = Vec::new();
+    for section in sections(text) {
+        for instance in section.instances {
+            inner(text, section.header, &instance.key, offers, &mut all);
+        }
+    }
+    all
+}
+
+fn inner(
+    text: &str,
+    header: &'static str,
+    at: &assur_mechanism::Key,
+    offers: Offers<'_>,
+    all: &mut Vec<(&'static str, crate::Form)>,
+) {
+    let form = table(text, at, offers);
+    for field in form.fields.iter().filter(|field| field.is_table()) {
+        if let Some(opening) = field.opens.iter().find(|opening| opening.stands) {
+            inner(text, opening.header, &field.key, offers, all);
+        }
+    }
+    all.push((header, form));
+}
+
+/// What is put into a field: something to choose, or the example.
+fn values(field: &Field, example: &str) -> Vec<String> {
+    let mut values: Vec<String> = field.choices.iter().map(|choice| choice.toml.clone()).collect();
+    let list = |choice: &Choice| format!("[{}]", choice.toml);
+    match field.kinds.first() {
+        Some(ValueKind::List(_)) => values.push("[]".to_owned()),
+        _ => values.push(example.to_owned()),
+    }
+    values.extend(field.choices.first().map(list));
+    values
+}
+
+/// A value of each key of the reference reads in some shipped scene, with all that its field says.
+#[test]
+fn every_key_has_a_field_that_takes_a_value() {
+    let offers = offers();
+    let all: BTreeSet<String> = TABLES
+        .iter()
+        .flat_map(|table| table.keys.iter().map(|key| format!("{} {}", table.header, key.name)))
+        .collect();
+    let (mut seen, mut taken) = (BTreeSet::new(), BTreeSet::new());
+    for scene in scenes() {
+        for (header, form) in forms(&scene, &offers) {
+            let known = TABLES.iter().find(|table| table.header == header).unwrap();
+            for field in &form.fields {
+                let chosen = || known.keys.iter().find(|key| key.name == "POINT");
+                let of = known.keys.iter().find(|key| key.name == field.label).or_else(chosen).unwrap();
+                let name = format!("{header} {}", of.name);
+                seen.insert(name.clone());
+                assert!(!field.about.is_empty() && !field.values.is_empty(), "{name}");
+                if taken.contains(&name) {
+                    continue;
+                }
+                for value in values(field, of.example) {
+                    let change = put(&scene, field, &value);
+                    if change.here.is_none() && change.elsewhere.is_empty() {
+                        read(&change.text);
+                        taken.insert(name.clone());
+                        break;
+                    }
+                }
+            }
+        }
+    }
+    // The tables of the scene as a whole have forms of their own.
+    let tables = all.iter().filter(|name| name.starts_with(' ') && !name.ends_with("title") && !name.ends_with("gravity"));
+    let tables: BTreeSet<String> = tables.cloned().collect();
+    let wanted: BTreeSet<String> = all.difference(&tables).cloned().collect();
+    let unseen: Vec<_> = wanted.difference(&seen).collect();
+    let refused: Vec<_> = wanted.difference(&taken).collect();
+    assert!(unseen.is_empty() && refused.is_empty(), "no field: {unseen:#?}, no value: {refused:#?}");
+}
+
+#[test]
+fn every_list_of_tables_takes_one_more() {
+    for section in sections(shaper()) {
+        if section.header == "[[input]]" {
+            assert!(!section.can_add);
+            continue;
+        }
+        let change = added(shaper(), section.header);
+        if !section.header.starts_with("[[") {
+            continue;
+        }
+        assert!(section.can_add);
+        assert_eq!(change.at.to_string(), format!("{}[{}]", change.at.of_list(), section.instances.len()));
+        let text = reads(change.clone());
+        let form = table(&text, &change.at, &[]);
+        assert!(form.fields.iter().any(|field| field.value.is_some()), "{}", section.header);
+        println!("{}", text.lines().filter(|line| !shaper().contains(line)).collect::<Vec<_>>().join("\n"));
+    }
+}

@@ -1,0 +1,151 @@
+//! Adds a group to a scene.
+
+use assur_group::plane::plus;
+use assur_words::{Text, text};
+
+use crate::frame::Frame;
+use crate::layout::layouts;
+use crate::naming::Taken;
+use crate::number::step_of;
+use crate::reach::fit;
+use crate::shape::{Joint, Outer, Shape};
+use crate::tables::tables;
+use crate::{Added, Addition, Fit, Names, Sketch, Target};
+
+/// What is added, in the plane of the sketch.
+pub(crate) struct Plan<'a> {
+    /// The scene before.
+    pub(crate) text: &'a str,
+    pub(crate) sketch: &'a Sketch,
+    pub(crate) addition: &'a Addition,
+    pub(crate) shape: Shape,
+    pub(crate) outer: Vec<Outer>,
+    /// Names of the new links.
+    pub(crate) links: Vec<String>,
+    /// The points that are the pins, by pair; empty for slides.
+    pub(crate) pins: Vec<String>,
+    /// Names of all new points.
+    pub(crate) points: Vec<String>,
+    /// Of links without a pin the points that they get; of a group whose modes no pin tells apart, of one that carries a guide.
+    pub(crate) own: Vec<(usize, String)>,
+    /// The ends of a link that nothing holds.
+    pub(crate) ends: [[f64; 2]; 2],
+    /// The size of the mechanism, m.
+    pub(crate) size: f64,
+    /// To multiples of this numbers are rounded, m.
+    pub(crate) step: f64,
+}
+
+/// Adds something to a scene, with a target for each outer pair in the order of the pattern; a free link may have two places as targets.
+/// `sketch` is of this scene. What is new is placed in the position that is drawn, with round lengths, so that it can be assembled
+/// there, and in all positions where one of the arrangements that are tried allows it.
+///
+/// # Errors
+///
+/// What is wrong with a target or a name, in the reader's words, or with the text.
+pub fn add(
+    text: &str,
+    sketch: &Sketch,
+    addition: &Addition,
+    targets: &[Target],
+    names: &Names,
+) -> Result<Added, Text> {
+    let plan = Plan::of((text, sketch), addition, targets, names)?;
+    let joints: Vec<Joint> = plan.outer.iter().map(|outer| outer.joint).collect();
+    let mut best: Option<Added> = None;
+    for joints in layouts(&plan.shape, &joints, plan.size) {
+        let frames = Frame::all(&plan, &joints);
+        let tables = tables(&plan, &joints, &frames);
+        let scene = assur_draft::append(text, &tables.toml)?;
+        let fit = fit(&scene, &frames, &plan);
+        if best.as_ref().is_none_or(|best| fit > best.fit) {
+            let (links, points) = (plan.links.clone(), plan.points.clone());
+            best = Some(Added { text: scene, links, points, slides: tables.slides, fields: tables.fields, fit });
+        }
+        if fit == Fit::Everywhere {
+            break;
+        }
+    }
+    best.ok_or_else(Text::default)
+}
+
+impl<'a> Plan<'a> {
+    fn of(
+        (text, sketch): (&'a str, &'a Sketch),
+        addition: &'a Addition,
+        targets: &[Target],
+        names: &Names,
+    ) -> Result<Self, Text> {
+        let shape = Shape::of(addition);
+        let is_free = shape.bonds.is_empty();
+        let sorts = addition.outer();
+        if !is_free && targets.len() != sorts.len() {
+            return Err(text!("sketch-targets", needed = sorts.len(), given = targets.len()));
+        }
+        let size = sketch.size();
+        let step = step_of(size);
+        let slides = shape.bonds[shape.inner..].iter().map(|bond| bond.slides);
+        let outer = (1..).zip(targets).zip(slides).map(|(target, slides)| Outer::of(sketch, target, slides, step));
+        let outer: Vec<Outer> = outer.collect::<Result<_, Text>>()?;
+        refuse_same_pins(&shape, &outer)?;
+        let mut taken = Taken::of(&sketch.mechanism);
+        let links = taken.links(&shape, names)?;
+        let mut points = Vec::new();
+        let mut new = || -> Result<String, Text> {
+            points.push(taken.point(names, points.len())?);
+            Ok(points.last().cloned().unwrap_or_default())
+        };
+        let mut pins = Vec::with_capacity(shape.bonds.len());
+        for (index, bond) in shape.bonds.iter().enumerate() {
+            let known = index.checked_sub(shape.inner).and_then(|outer_index| outer[outer_index].point.clone());
+            pins.push(match known {
+                _ if bond.slides => String::new(),
+                Some(known) => known,
+                None => new()?,
+            });
+        }
+        let mut own = Vec::new();
+        for link in (0..shape.links).filter(|link| shape.pins(*link).next().is_none()) {
+            own.push((link, new()?));
+            if is_free {
+                own.push((link, new()?));
+            }
+        }
+        let tells = pins[..shape.inner].iter().any(|pin| !pin.is_empty()) || !own.is_empty();
+        let has_modes = addition.plugin.is_some_and(|plugin| plugin.ways.most > 1);
+        let carrier = shape.bonds[..shape.inner].iter().find_map(|bond| bond.on);
+        if let (false, true, Some(link)) = (tells, has_modes, carrier) {
+            own.push((link, new()?));
+        }
+        let ends = ends(sketch, targets, size);
+        Ok(Self { text, sketch, addition, shape, outer, links, pins, points, own, ends, size, step })
+    }
+}
+
+/// One link can't have a point twice.
+fn refuse_same_pins(shape: &Shape, outer: &[Outer]) -> Result<(), Text> {
+    for link in 0..shape.links {
+        let pins = shape.pins(link).filter_map(|bond| outer.get(bond.checked_sub(shape.inner)?)?.point.as_ref());
+        let pins: Vec<&String> = pins.collect();
+        if let Some(twice) = pins.iter().enumerate().find(|(index, pin)| pins[..*index].contains(pin)) {
+            return Err(text!("sketch-same-point", name = crate::shape::quoted(twice.1)));
+        }
+    }
+    Ok(())
+}
+
+/// The ends of a free link: the places of its targets, or above the mechanism.
+fn ends(sketch: &Sketch, targets: &[Target], size: f64) -> [[f64; 2]; 2] {
+    let mut given = targets.iter().filter_map(|target| match target {
+        Target::New { at, .. } | Target::Guide { through: at, .. } => Some(*at),
+        Target::Point(point) => sketch.place(point),
+    });
+    let above = || {
+        let places: Vec<_> = sketch.points().map(|(_, at)| at).collect();
+        let top = places.iter().map(|at| at[1]).fold(0.0, f64::max);
+        let left = places.iter().map(|at| at[0]).fold(f64::INFINITY, f64::min);
+        [if left.is_finite() { left } else { 0.0 }, top + 0.3 * size]
+    };
+    let first = given.next().unwrap_or_else(above);
+    [first, given.next().unwrap_or_else(|| plus(first, [size, 0.0]))]
+}

@@ -1,0 +1,256 @@
+//! Building: the keys of docs/build.md make scenes with the numbers of known ones; any keys leave a file that reads back as it is shown.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+use std::sync::Arc;
+
+use assur_fixtures::scene as shipped;
+use crossterm::event::{KeyModifiers, MouseButton, MouseEvent, MouseEventKind};
+
+use super::random::Dice;
+use super::{Effect, Key, State, View, empty, press, settle, text};
+use crate::screen::command;
+use crate::screen::state::Draft;
+use crate::session::{Session, Source};
+
+/// Greatest deviation of a number from that of the known scene, as part of the greatest of its column.
+const LIMIT: f64 = 1e-12;
+/// Greatest number of keys beyond names and numbers.
+const MOST_KEYS: usize = 90;
+
+/// A scene that ships nowhere: a slider-crank with offset and friction.
+const OFFSET: &str = r#"
+[ground]
+points = { O = 0 }
+[link.crank]
+points = { O = 0, A = "50 mm" }
+[link.rod]
+points = { A = 0, B = "180 mm" }
+[link.slider]
+points = { B = 0 }
+mass = "2 kg"
+[[slide]]
+link = "slider"
+on = "ground"
+through = [0, "20 mm"]
+[input]
+link = "crank"
+positions = 24
+[motion]
+speed = "300 rpm"
+[[force]]
+link = "slider"
+at = "B"
+angle = "180 deg"
+value = "400 N"
+[[friction]]
+pair = "slider/ground"
+coefficient = 0.1
+[[friction]]
+pair = "A"
+coefficient = 0.08
+radius = "12 mm"
+[assembly]
+B = [0.22, 0.02]
+"#;
+
+/// The recipes of docs/build.md: what each builds, and its keys.
+fn recipes() -> Vec<(String, Vec<String>)> {
+    let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/build.md");
+    let page = fs::read_to_string(page).unwrap();
+    let parts = page.split("\n## ").skip(1).filter_map(|part| {
+        let (title, rest) = part.split_once('\n')?;
+        let (_, keys) = rest.split_once("```keys\n")?;
+        let (keys, _) = keys.split_once("```")?;
+        Some((title.to_owned(), pieces(keys)))
+    });
+    parts.collect()
+}
+
+/// The pieces of a recipe: `"100 mm"` is typed, anything else is a key or a word of a list.
+fn pieces(keys: &str) -> Vec<String> {
+    let lines = keys.lines().map(|line| line.split(" # ").next().unwrap_or_default());
+    let mut all = Vec::new();
+    for line in lines {
+        for (index, piece) in line.split('"').enumerate() {
+            if index % 2 == 1 {
+                all.push(format!("\"{piece}"));
+            } else {
+                all.extend(piece.split_whitespace().map(str::to_owned));
+            }
+        }
+    }
+    all
+}
+
+/// Plays a recipe from nothing; the number of keys beyond names and numbers.
+fn play(keys: &[String]) -> (State, usize) {
+    let mut state = empty(None);
+    command::begin(&mut state);
+    settle(&mut state);
+    let mut count = 0;
+    for piece in keys {
+        if let Some(typed) = piece.strip_prefix('"') {
+            type_in(&mut state, typed);
+        } else if Key::parse(piece).is_some() {
+            press(&mut state, piece);
+            count += 1;
+        } else {
+            type_in(&mut state, piece);
+            count += piece.chars().count();
+        }
+        let _ = text(&state, 80, 24);
+    }
+    (state, count)
+}
+
+fn type_in(state: &mut State, typed: &str) {
+    for letter in typed.chars() {
+        command::press(state, crossterm::event::KeyEvent::from(crossterm::event::KeyCode::Char(letter)));
+        settle(state);
+    }
+}
+
+/// The numbers of a scene by column; angles of links depend on where their x axes lie, and are left out.
+fn columns(text: &str) -> BTreeMap<String, Vec<f64>> {
+    let session = Session::read(Source::File("built.toml".into()), text.to_owned());
+    let session = session.unwrap_or_else(|fault| panic!("{fault}\n{text}"));
+    let results =
+        session.analyzed(&assur_analysis::Options::default(), false, &mut assur_analysis::unwatched).unwrap();
+    let series = results.columns().skip(1);
+    let mut all = BTreeMap::new();
+    for series in series {
+        let values = (0..results.positions()).map(|position| series.at(position)).collect();
+        all.insert(series.title().to_string(), values);
+    }
+    all
+}
+
+fn compare(title: &str, built: &str, known: &str) {
+    let (built, known) = (columns(built), columns(known));
+    assert!(known.len() > 8, "{title}: {} columns", known.len());
+    for (name, known) in &known {
+        let Some(own) = built.get(name) else { panic!("{title}: no {name} among {:?}", built.keys()) };
+        let size = known.iter().fold(0.0, |most, value| f64::max(most, value.abs()));
+        for (at, (own, known)) in own.iter().zip(known).enumerate() {
+            assert!(
+                (own - known).abs() <= LIMIT * size.max(1e-9),
+                "{title}: {name} at {at}: {own} for {known}"
+            );
+        }
+    }
+}
+
+#[test]
+fn the_recipes_build_scenes_with_the_numbers_of_known_ones() {
+    let known = [shipped("shaper"), OFFSET, shipped("stephenson3"), shipped("triad"), shipped("boom")];
+    let recipes = recipes();
+    assert_eq!(recipes.len(), known.len());
+    for ((title, keys), known) in recipes.iter().zip(known) {
+        let (state, count) = play(keys);
+        assert!(count <= MOST_KEYS, "{title}: {count} keys");
+        compare(title, state.draft.text(), known);
+    }
+}
+
+/// Scenes from which random building begins: the written ones, one with faults, one that is no mechanism, nothing.
+fn beginnings() -> Vec<String> {
+    let names = ["shaper", "four-bar", "slider-crank", "stephenson3", "boom", "shaper-drive"];
+    let mut all: Vec<String> = names.iter().map(|name| shipped(name).to_owned()).collect();
+    all.push(shipped("shaper").replace("\"rocker\"", "\"rokcer\""));
+    all.push(shipped("four-bar").replace("[input]", "[inptu]"));
+    all.push(
+        "[ground]\npoints = { O = 0 }\n[link.a]\npoints = { O = 0, A = 0.1 }\n[link.b]\npoints = { Q = 0 }\n"
+            .to_owned(),
+    );
+    all.push(String::new());
+    all
+}
+
+/// Any keys and clicks while building: no panic, the file reads back as it is shown, undo leads to the first bytes.
+fn build_at_random(steps: usize) {
+    for (number, first) in beginnings().into_iter().enumerate() {
+        let mut state = empty(None);
+        command::begin(&mut state);
+        state.draft = Draft::from(1, Source::New, &first);
+        state.picker = None;
+        press(&mut state, "Esc");
+        let mut dice = Dice(0x9e37_79b9_7f4a_7c15 ^ (number as u64 + 1));
+        for _ in 0..steps {
+            random_event(&mut state, &mut dice);
+            state
+                .effects
+                .retain(|effect| !matches!(effect, Effect::Quit | Effect::Suspend | Effect::Write(_)));
+            settle(&mut state);
+            let read = state.build.read.as_ref().map(|read| Arc::clone(&read.text));
+            if state.view == View::Build {
+                assert_eq!(read.as_ref(), Some(state.draft.text()), "what is looked at is the text");
+            }
+            if state.view == View::Build
+                && let Some(scene) = state.scene.as_ref().filter(|_| state.draft.shown == *state.draft.text())
+            {
+                let readable = state.build.read.as_ref().and_then(|read| read.readable.clone());
+                assert_eq!(
+                    readable.as_deref(),
+                    Some(scene.session.text.as_str()),
+                    "the picture is of the text"
+                );
+            }
+            let _ = text(&state, 80, 24);
+        }
+        while state.draft.has_steps()[0] {
+            state.draft.undo();
+        }
+        assert_eq!(&**state.draft.text(), first, "undo leads to the first bytes");
+    }
+}
+
+fn random_event(state: &mut State, dice: &mut Dice) {
+    const KEYS: &str = "A Enter Enter Enter Tab S-Tab Right Left Up Down S-Right S-Up g % < > N D y T w i C E P u u C-r \
+                        PgDn PgUp Home Esc Space [ ] + - 0 Del Ins Backspace B 1 3 R";
+    match dice.below(8) {
+        0 => {
+            let kinds = [
+                MouseEventKind::Down(MouseButton::Left),
+                MouseEventKind::Drag(MouseButton::Left),
+                MouseEventKind::Up(MouseButton::Left),
+            ];
+            let [column, row] = [dice.below(80), dice.below(24)].map(|cell| u16::try_from(cell).unwrap());
+            let kind = kinds[dice.below(kinds.len())];
+            command::click(state, MouseEvent { kind, column, row, modifiers: KeyModifiers::NONE });
+        }
+        1 => {
+            let words = [
+                "A",
+                "0, -400",
+                "100 mm",
+                "rpr",
+                "rrr",
+                "12,5",
+                "ground",
+                "crank 50",
+                "-1e300",
+                "force",
+                "\u{44f}\"'",
+            ];
+            type_in(state, words[dice.below(words.len())]);
+        }
+        _ => {
+            let keys: Vec<&str> = KEYS.split_whitespace().collect();
+            press(state, keys[dice.below(keys.len())]);
+        }
+    }
+}
+
+#[test]
+fn any_keys_while_building_leave_a_file_that_is_shown() {
+    build_at_random(60);
+}
+
+/// A hundred thousand events from ten scenes.
+#[test]
+#[ignore = "takes about half an hour"]
+fn very_many_keys_while_building() {
+    build_at_random(10_000);
+}

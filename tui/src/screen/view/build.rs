@@ -1,0 +1,402 @@
+//! Building: the mechanism with what is chosen or can be chosen, the form or the task beside it, and the file as it grows.
+
+use assur_draft::Part;
+use assur_figure::cells::point_at;
+use assur_figure::{Axis, Bounds, Figure, Frame, Ink, Item, Panel, Scale, Sign, Stroke};
+use assur_mechanism::GROUND;
+use assur_picture::mechanism::{self as picture};
+use assur_report::topic::About;
+use assur_sketch::{Addition, Sketch, Target};
+use assur_words::{Text, joined, list, name, number, quantity, text, unit};
+use ratatui::layout::{Constraint, Layout, Rect};
+
+use super::values;
+use crate::number::digits;
+use crate::screen::draw::{Pen, cells, cut, short, wrapped};
+use crate::screen::state::{FormSource, FormTask, MOVES, Role, State, Task, place, words_of};
+
+/// Part of the width for the form and the file, per cent, and its least.
+const SIDE: u16 = 42;
+const LEAST_SIDE: u16 = 36;
+/// Rows that the file has at least.
+const FILE: u16 = 7;
+/// Measures of the motion that are shown.
+const MEASURES: usize = 4;
+/// Around the sketch, as part of its size.
+const MARGIN: f64 = 0.15;
+
+pub(super) fn draw(pen: &mut Pen<'_>, area: Rect) {
+    let [drawing, side] = parts(area);
+    let state = pen.state;
+    match curve(state) {
+        Some(curve) => pen.paint(&curve, drawing),
+        None => pen.paint_zoomed(&figure(state), state.zoom, drawing),
+    }
+    for row in 0..side.height {
+        pen.put(side, 0, row, "│", Role::Dim);
+    }
+    let side = Rect { x: side.x + 1, width: side.width.saturating_sub(1), ..side };
+    let lines = match &state.build.task {
+        Task::Form(form) => return draw_form(pen, form, side),
+        _ => told(state, side.width.into()),
+    };
+    let rows = short(lines.len()).min(side.height.saturating_sub(FILE));
+    let [top, file] = Layout::vertical([Constraint::Length(rows + 1), Constraint::Min(0)]).areas(side);
+    pen.put_lines(top, 0, lines.iter().take(rows.into()));
+    draw_file(pen, file);
+}
+
+fn parts(area: Rect) -> [Rect; 2] {
+    let side = (area.width * SIDE / 100).max(LEAST_SIDE);
+    Layout::horizontal([Constraint::Min(0), Constraint::Length(side)]).areas(area)
+}
+
+/// The place of the plane (m) under a cell; `None` beside the drawing.
+pub(crate) fn place_at(state: &State, area: Rect, [column, row]: [u16; 2]) -> Option<[f64; 2]> {
+    let [drawing, _] = parts(area);
+    let cell = [column.checked_sub(drawing.x)?, row.checked_sub(drawing.y)?];
+    let figure = figure(state);
+    point_at(figure.panels.first()?, [drawing.width, drawing.height], cells(state, state.zoom), cell)
+}
+
+/// The mechanism as far as it moves, what else is placed, and what is marked.
+fn figure(state: &State) -> Figure {
+    let Some(read) = &state.build.read else { return Figure::default() };
+    let sketch = &read.sketch;
+    let lit = match state.build.lit() {
+        Some(Part::Link(link)) => sketch.mechanism.link(&link).into_iter().collect(),
+        _ => Vec::new(),
+    };
+    let shown =
+        state.scene.as_ref().filter(|_| state.draft.shown == *state.draft.text() && read.readable.is_some());
+    let mut figure = match shown {
+        Some(scene) if state.mode_of(state.chosen.group).is_some() => {
+            picture::structure(scene, &state.pictured())
+        }
+        Some(scene) => {
+            let marked: Vec<usize> = lit
+                .iter()
+                .filter_map(|link| scene.linkage.mechanism.link(sketch.mechanism.links[*link].name.as_str()))
+                .collect();
+            picture::figure(scene, &state.pictured(), &marked)
+        }
+        None => Figure::of(Panel::plane(bounds(sketch), Scale::of("l", "m"), Vec::new())),
+    };
+    figure.legend.clear();
+    let in_first_position = shown.is_none() || state.at() == 0.0;
+    let Some(panel) = figure.panels.first_mut() else { return figure };
+    if in_first_position {
+        let moves = |link: &str| shown.is_some_and(|scene| scene.linkage.mechanism.link(link).is_some());
+        panel.items.extend(loose(sketch, &moves, &lit));
+        panel.items.extend(marks(state, sketch));
+    }
+    figure
+}
+
+/// The curve of the rows that are filled in, in the units of their columns.
+fn curve(state: &State) -> Option<Figure> {
+    let FormSource::Rows(at) = &state.build.form()?.source else { return None };
+    let rows = assur_form::rows(state.draft.text(), at)?;
+    let [x, y] = [0, 1].map(|axis| {
+        let label = list([rows.columns[axis].what.clone(), unit(rows.columns[axis].unit)]);
+        Axis::around(label, rows.curve.iter().map(|point| point[axis]), 0.0)
+    });
+    let items = vec![Item::line(rows.curve.clone(), Stroke::Solid, Ink::First)];
+    let frame = Frame::Axes { x, y, cursor: None };
+    Some(Figure::of(Panel { title: Text::default(), frame, items }))
+}
+
+fn bounds(sketch: &Sketch) -> Bounds {
+    let points = sketch.mechanism.points.iter().filter_map(|point| sketch.place(point.name.as_str()));
+    let mut bounds = Bounds::around(points);
+    if !bounds.size()[0].is_finite() {
+        bounds = Bounds::around([[0.0, 0.0], [0.1, 0.1]].into_iter());
+    }
+    bounds.widened(MARGIN)
+}
+
+/// The links that don't move yet, where they are put.
+fn loose<'a>(
+    sketch: &'a Sketch,
+    moves: &'a dyn Fn(&str) -> bool,
+    lit: &'a [usize],
+) -> impl Iterator<Item = Item> + 'a {
+    let links = sketch.mechanism.links.iter().enumerate().filter(|(_, link)| !moves(link.name.as_str()));
+    links.flat_map(move |(link, _)| {
+        let on = sketch.mechanism.points.iter().filter(move |point| point.on(link).is_some());
+        let places: Vec<_> = on
+            .filter_map(|point| Some((sketch.place(point.name.as_str())?, point.is_pin(), &point.name)))
+            .collect();
+        let ink = if lit.contains(&link) { Ink::Marked } else { Ink::Link(link) };
+        let corners: Vec<_> = places.iter().map(|(at, ..)| *at).collect();
+        let line = (link != GROUND && corners.len() > 1).then(|| Item::line(corners, Stroke::Dashed, ink));
+        let signs = places.into_iter().flat_map(move |(at, is_pin, own)| {
+            let sign = match (link, is_pin) {
+                (GROUND, _) => Sign::Bearing,
+                (_, true) => Sign::Pin,
+                _ => Sign::Dot,
+            };
+            [Item::sign(at, sign, ink), Item::name(at, own.into(), Ink::Title)]
+        });
+        line.into_iter().chain(signs)
+    })
+}
+
+/// What is chosen, and what can be.
+fn marks(state: &State, sketch: &Sketch) -> Vec<Item> {
+    let mut items = Vec::new();
+    let mut mark = |part: &Part, ink: Ink| {
+        let Some(at) = place(sketch, part) else { return };
+        items.push(Item::sign(at, Sign::Cross, ink));
+        let (Part::Point(word) | Part::Link(word) | Part::Slide(word)) = part else { return };
+        items.push(Item::name(at, name(word.clone()), ink));
+    };
+    if let Task::Join(task) = &state.build.task {
+        for part in task.candidates(sketch) {
+            if Some(&part) == task.chosen.as_ref() {
+                mark(&part, Ink::Marked);
+            }
+        }
+        let places = task.targets.iter().filter_map(|target| match target {
+            Target::Point(point) => sketch.place(point),
+            Target::New { at, .. } | Target::Guide { through: at, .. } => Some(*at),
+        });
+        let places: Vec<_> = places.collect();
+        items.extend(places.into_iter().map(|at| Item::sign(at, Sign::Ring, Ink::Marked)));
+    } else if let Some(part) = state.build.lit() {
+        mark(&part, Ink::Marked);
+    }
+    items
+}
+
+/// What is told of the task, or of the chosen thing.
+fn told(state: &State, width: usize) -> Vec<(Role, String)> {
+    let mut lines = Vec::new();
+    let mut tell = |role: Role, text: Text| {
+        lines.extend(wrapped(&state.told(text), width).into_iter().map(|line| (role, line)));
+    };
+    match &state.build.task {
+        Task::Join(task) => {
+            tell(Role::Header, joined(" ", [task.addition.title.clone(), task.addition.about.clone()]));
+            let [at, count] = [task.targets.len() + 1, task.addition.outer().len()].map(number);
+            let is_slide = task.pair() == Some(assur_group::PairSort::Slide);
+            let what = text!(if is_slide { "build-join-slide" } else { "build-join-pin" }, at, count);
+            tell(Role::Plain, what);
+            tell(Role::Dim, text!(if is_slide { "build-join-slide-how" } else { "build-join-pin-how" }));
+            let chosen = task.chosen.as_ref().map_or_else(Text::default, words_of);
+            let typed = if task.entry.is_empty() { chosen } else { name((*task.entry).to_owned()) };
+            tell(Role::Key, text!("build-join-to", what = typed));
+        }
+        Task::Delete(parts) => {
+            tell(Role::Bad, text!("build-delete", parts = list(parts.iter().map(words_of))))
+        }
+        task => {
+            if let Some(chosen) = &state.build.chosen {
+                let moves = matches!(task, Task::Move);
+                let step = quantity(digits(1e3 * MOVES[state.build.step % MOVES.len()], 1), "mm");
+                tell(Role::Header, words_of(chosen));
+                if moves {
+                    tell(Role::Key, text!("build-moving", step));
+                }
+                of_part(state, chosen, &mut tell);
+            } else {
+                tell(Role::Dim, text!("build-choose"));
+            }
+        }
+    }
+    lines.extend(state_of(state, width));
+    lines.extend(measures(state, width));
+    lines
+}
+
+/// What is measured of the motion, which follows each key: strokes, transmission angles.
+fn measures(state: &State, width: usize) -> Vec<(Role, String)> {
+    let facts = state.found().map_or(&[][..], |found| &found.results);
+    let facts = facts.iter().filter(|(about, _)| *about == About::Motion).take(MEASURES);
+    let told = facts.flat_map(|(_, fact)| {
+        wrapped(&format!("{}: {}", state.told(fact.what()), state.told(fact.with_unit())), width)
+    });
+    told.map(|line| (Role::Plain, line)).collect()
+}
+
+/// Where the chosen thing is, and what its group is.
+fn of_part(state: &State, part: &Part, tell: &mut impl FnMut(Role, Text)) {
+    let Some(sketch) = state.build.sketch() else { return };
+    let mm = |value: f64| number(digits(1e3 * value, 6));
+    if let Some([x, y]) = place(sketch, part).filter(|_| matches!(part, Part::Point(_))) {
+        tell(Role::Plain, text!("build-at", x = mm(x), y = mm(y)));
+    }
+    let (Part::Link(link), Some(scene)) = (part, &state.scene) else { return };
+    let structure = &scene.linkage.structure;
+    let link = scene.linkage.mechanism.link(link);
+    let of = |group: &assur_structure::Group| link.is_some_and(|link| group.frame.links.contains(&link));
+    if let Some(group) = structure.groups.iter().position(of) {
+        tell(Role::Plain, structure.group_name(&scene.linkage.mechanism, group));
+    }
+}
+
+/// What the mechanism has become, and what it lacks.
+fn state_of(state: &State, width: usize) -> Vec<(Role, String)> {
+    let Some(read) = &state.build.read else { return Vec::new() };
+    let mut lines = Vec::new();
+    let mut tell = |role: Role, text: Text| {
+        lines.extend(wrapped(&state.told(text), width).into_iter().map(|line| (role, line)));
+    };
+    match &state.scene {
+        Some(scene) if read.readable.is_some() => {
+            tell(Role::Plain, name(state.told(&scene.linkage.structure.formula)))
+        }
+        _ => {}
+    }
+    let (first, more) = (read.faults.first(), read.faults.len());
+    if let Some(fault) = first {
+        let key = name(state.keys.first("next-fault"));
+        tell(Role::Bad, fault.text.clone());
+        tell(Role::Dim, text!("build-faults", count = more, key));
+    } else if !read.closings.is_empty() {
+        let closing = |closing: &assur_sketch::Closing| {
+            let [from, to] = [closing.from, closing.to].map(|value| number(digits(1e3 * value, 5)));
+            text!("build-closing", key = &closing.key, from, to)
+        };
+        let key = name(state.keys.first("close-gap"));
+        tell(Role::Bad, text!("build-closings", all = list(read.closings.iter().map(closing)), key));
+    }
+    lines
+}
+
+/// The file as it is now; the lines that the last step has written are marked.
+fn draw_file(pen: &mut Pen<'_>, area: Rect) {
+    let state = pen.state;
+    let title = format!(" {} ", state.draft.source.short_name());
+    let rule: String = std::iter::repeat_n('─', area.width.into()).collect();
+    pen.put(area, 0, 0, &rule, Role::Dim);
+    pen.put(area, 1, 0, &title, Role::Header);
+    let inner = Rect { y: area.y + 1, height: area.height.saturating_sub(1), ..area };
+    let (text, before) = (state.draft.text(), state.draft.before());
+    let lines: Vec<&str> = text.lines().collect();
+    let written = before.map_or(0..0, |before| differing(before, text));
+    let height = usize::from(inner.height);
+    let last = lines.len().saturating_sub(height);
+    let middle = (written.start + written.end) / 2;
+    let first = state.build.line.unwrap_or_else(|| middle.saturating_sub(height / 2)).min(last);
+    for (row, (index, line)) in lines.iter().enumerate().skip(first).take(height).enumerate() {
+        let is_written = written.contains(&index);
+        let (sign, role) = if is_written { ("+", Role::Chosen) } else { (" ", Role::Plain) };
+        pen.put(
+            inner,
+            0,
+            short(row),
+            &format!("{sign}{}", cut(line, usize::from(inner.width).saturating_sub(1))),
+            role,
+        );
+    }
+    pen.mark_rows(inner, first..lines.len().min(first + height), lines.len());
+}
+
+/// The lines of a text that differ from those of the text before.
+fn differing(before: &str, after: &str) -> std::ops::Range<usize> {
+    let (before, after): (Vec<&str>, Vec<&str>) = (before.lines().collect(), after.lines().collect());
+    let start = before.iter().zip(&after).take_while(|(a, b)| a == b).count();
+    let rest = before[start..].iter().rev().zip(after[start..].iter().rev());
+    let end = after.len() - rest.take_while(|(a, b)| a == b).count();
+    start..end.max(start)
+}
+
+/// A form: its fields, the sentence on the chosen one or what is wrong with it, and the file below.
+fn draw_form(pen: &mut Pen<'_>, form: &FormTask, area: Rect) {
+    let state = pen.state;
+    let width = usize::from(area.width);
+    let about: Vec<(Role, String)> = of_field(state, form, width);
+    let rows = form.rows.len() + 1;
+    let most = usize::from(area.height).saturating_sub(about.len() + usize::from(FILE));
+    let shown = rows.min(most.max(4));
+    let [top, below, file] = Layout::vertical([
+        Constraint::Length(short(shown)),
+        Constraint::Length(short(about.len())),
+        Constraint::Min(0),
+    ])
+    .areas(area);
+    pen.put(top, 0, 0, &state.told(form.heading.clone()), Role::Header);
+    let list = Rect { y: top.y + 1, height: top.height.saturating_sub(1), ..top };
+    let height = usize::from(list.height);
+    let skip = (form.chosen + 1).saturating_sub(height);
+    let widest = form.rows.iter().map(|row| row.label.chars().count()).max().unwrap_or(0).min(width / 2);
+    for (row, (index, field)) in form.rows.iter().enumerate().skip(skip).take(height).enumerate() {
+        let is_chosen = index == form.chosen;
+        let entry = form.entry.as_ref().filter(|_| is_chosen);
+        let value = entry.map_or(field.value.as_str(), |entry| entry);
+        let label = values::tail(&field.label, widest);
+        let sign = if is_chosen { '>' } else { ' ' };
+        let room = width.saturating_sub(widest + 3);
+        let value = if entry.is_some() {
+            format!("{}_", values::tail(value, room.saturating_sub(1)))
+        } else {
+            cut(value, room)
+        };
+        let role = match (is_chosen, field.stands) {
+            (true, _) => Role::Cursor,
+            (_, true) => Role::Plain,
+            _ => Role::Dim,
+        };
+        pen.put(list, 0, short(row), &format!("{sign}{label:<widest$}  {value}"), role);
+    }
+    pen.mark_rows(list, skip..form.rows.len().min(skip + height), form.rows.len());
+    pen.put_lines(below, 0, &about);
+    draw_file(pen, file);
+}
+
+/// The sentence on the chosen field, with what it may be; or why what is typed is not taken.
+fn of_field(state: &State, form: &FormTask, width: usize) -> Vec<(Role, String)> {
+    let mut lines = Vec::new();
+    let mut tell = |role: Role, text: Text| {
+        lines.extend(wrapped(&state.told(text), width).into_iter().map(|line| (role, line)));
+    };
+    if let Some(fault) = &form.fault {
+        tell(Role::Bad, fault.clone());
+    } else if let Some(field) = form.field() {
+        tell(Role::Dim, field.about.clone());
+        tell(Role::Dim, text!("build-field-values", values = field.values.clone()));
+    } else {
+        tell(Role::Dim, text!("build-field-name"));
+    }
+    lines.truncate(5);
+    lines
+        .into_iter()
+        .chain(state_of(state, width).into_iter().filter(|(role, _)| *role == Role::Bad).take(3))
+        .collect()
+}
+
+/// A kind of group in characters: its links between their pairs.
+pub(crate) fn pattern(addition: &Addition) -> Figure {
+    let pattern = &addition.pattern;
+    let spread = |index: usize, count: usize| if count < 2 { 0.5 } else { index as f64 / (count - 1) as f64 };
+    let outer = |index: usize| [2.0 * spread(index, pattern.outer.len()), 0.0];
+    let inner =
+        |index: usize| [0.5 + spread(index, pattern.inner.len()), 1.0 + 0.2 * f64::from(index % 2 == 1)];
+    let mut joints = vec![Vec::new(); pattern.links];
+    let mut items = Vec::new();
+    let mut sign = |at: [f64; 2], is_slide: bool, is_outer: bool| {
+        let sign = match (is_slide, is_outer) {
+            (true, _) => Sign::Block,
+            (_, true) => Sign::Ring,
+            _ => Sign::Pin,
+        };
+        items.push(Item::sign(at, sign, Ink::Title));
+    };
+    for (index, (link, sort)) in pattern.outer.iter().enumerate() {
+        joints[*link].push(outer(index));
+        sign(outer(index), *sort == assur_group::PairSort::Slide, true);
+    }
+    for (index, (links, sort)) in pattern.inner.iter().enumerate() {
+        links.iter().for_each(|link| joints[*link].push(inner(index)));
+        sign(inner(index), *sort == assur_group::PairSort::Slide, false);
+    }
+    for (link, mut corners) in joints.into_iter().enumerate() {
+        if corners.len() > 2 {
+            corners.extend(corners.first().copied());
+        }
+        items.insert(0, Item::line(corners, Stroke::Thick, Ink::Link(link + 1)));
+    }
+    let bounds = Bounds::around([[0.0, 0.0], [2.0, 1.4]].into_iter()).widened(MARGIN);
+    Figure::of(Panel::plane(bounds, Scale::of("", ""), items))
+}
