@@ -1,6 +1,7 @@
 //! Building in steps, judged by what the program makes of the text.
 
 mod adding;
+mod changing;
 
 use assur_all as _;
 

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use assur_draft::{Part, delete, dependents, key_at, readable, rename_in_link};
 use assur_kinematics::decompose;
-use assur_mechanism::{Key, Mechanism, Step};
+use assur_mechanism::{GROUND, Key, Mechanism, Step};
 use assur_scene::edit::ParsedText;
 use assur_sketch::{Addition, Drive, Names, Sketch, Start, additions, closings, drives, sketch};
 use assur_structure::StructureError;
@@ -413,15 +413,23 @@ pub(super) fn rename(state: &mut State) {
 
 /// Adds a point to the chosen link, in its middle; to the ground where no link is chosen.
 pub(super) fn add_point(state: &mut State) {
-    let Some(sketch) = state.build.sketch() else { return };
-    let link = if let Some(Part::Link(link)) = &state.build.chosen { link.as_str() } else { "ground" };
-    let added = assur_sketch::add_point(state.draft.text(), sketch, link);
-    match added {
-        Ok((text, key, point)) => {
-            draft::take(state, Ok(text));
-            form::open(state, FormSource::Made(vec![Part::Point(point)], vec![key]));
-        }
-        Err(problem) => state.say(Role::Bad, problem),
+    let Some(mechanism) = state.build.sketch().map(|sketch| &sketch.mechanism) else { return };
+    let chosen = if let Some(Part::Link(link)) = &state.build.chosen { mechanism.link(link) } else { None };
+    let table = match chosen {
+        Some(link) => Key::of("link").at(&mechanism.links[link].name),
+        None => Key::of("ground"),
+    };
+    let link = chosen.unwrap_or(GROUND);
+    let places: Vec<_> = mechanism.points.iter().filter_map(|point| point.on(link)).collect();
+    let count = places.len().max(1) as f64;
+    let [x, y] = [0, 1].map(|axis| (1e3 * places.iter().map(|at| at[axis]).sum::<f64>() / count).round());
+    let is_free = |own: &String| mechanism.points.iter().all(|point| point.name.as_str() != own);
+    let letters = ('A'..='Z').map(String::from).chain((1..).map(|number| format!("P{number}")));
+    let Some(own) = letters.into_iter().find(is_free) else { return };
+    let key = table.at("points").at(&*own);
+    let text = assur_draft::set(state.draft.text(), &key, &format!("[\"{x} mm\", \"{y} mm\"]"));
+    if draft::take(state, text) {
+        form::open(state, FormSource::Made(vec![Part::Point(own)], vec![key]));
     }
 }
 
