@@ -5,6 +5,7 @@
 
 pub mod cli;
 
+mod explained;
 mod files;
 mod locale;
 mod progress;

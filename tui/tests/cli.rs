@@ -402,3 +402,24 @@ fn a_measure_by_its_key_has_the_columns_of_that_key_alone() {
     let wanted = ["min", "max", "mean", "rms"].map(|word| format!("balancing_{word}_Nm"));
     assert_eq!(columns, wanted);
 }
+
+#[test]
+fn keys_find_words_of_the_field_too() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let found = out(&assur(folder, &["keys", "friction circle"]));
+    for part in ["Words", "circle about a pin", "formula: h = f*r, M = h*R", "source: Artobolevsky"] {
+        assert!(found.contains(part), "{part}: {found}");
+    }
+    // Beside the keys only what is called so; a letter of a formula finds its word where no key has it.
+    let beside = out(&assur(folder, &["keys", "unevenness"]));
+    assert!(beside.contains("unevenness = 0.05") && beside.contains("(max(ω) - min(ω))/ω_m"), "{beside}");
+    assert!(!beside.contains("flywheel\n"), "{beside}");
+    assert!(out(&assur(folder, &["keys", "s/s_k"])).contains("Kloss formula"));
+    let russian = out(&assur(folder, &["keys", "--language", "ru", "круг трения"]));
+    assert!(russian.contains("формула: h = f*r") && russian.contains("в записке:"), "{russian}");
+    let page = out(&assur(folder, &["keys", "dead point", "--format", "markdown"]));
+    assert!(page.contains("* **dead point**: position in which"), "{page}");
+    let none = assur(folder, &["keys", "no such thing"]);
+    assert!(code(&none) != 0 && err(&none).contains("no word of the field"), "{}", err(&none));
+    assert!(!out(&assur(folder, &["keys"])).contains("Words\n"));
+}

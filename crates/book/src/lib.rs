@@ -8,6 +8,7 @@
 pub mod catalogue;
 mod course;
 mod document;
+pub mod glossary;
 mod number;
 mod peaks;
 mod table;

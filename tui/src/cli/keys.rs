@@ -1,8 +1,9 @@
-//! `assur keys`: the reference of the keys of a scene.
+//! `assur keys`: the reference of the keys of a scene, and the words of the field.
 
 use std::fmt::Write;
 
-use assur_scene::reference::{KeyDefault, KeyTable, SceneKey, TABLES, near, search};
+use assur_book::glossary::{ENTRIES, Entry};
+use assur_scene::reference::{KeyTable, SceneKey, TABLES, near, search};
 use assur_words::{Language, Text, name, text};
 use clap::builder::{PossibleValue, StringValueParser, TypedValueParser};
 use clap::{Args, ValueEnum};
@@ -11,12 +12,13 @@ use textwrap::Options;
 use super::fault::{Fault, Status};
 use super::output;
 use super::style::Style;
+use crate::explained;
 
 const WIDTH: usize = 100;
 
 #[derive(Debug, Clone, Args)]
 pub(crate) struct KeysArgs {
-    /// A key, a table, or a word of their descriptions; without it, all
+    /// A key, a table, a word of their descriptions, or a word of the field; without it, all keys
     #[arg(value_parser = Word)]
     word: Option<String>,
     /// Form of the reference
@@ -63,16 +65,28 @@ impl TypedValueParser for Word {
 pub(crate) fn run(args: &KeysArgs, style: Style) -> Result<Status, Fault> {
     let word = args.word.as_deref().unwrap_or_default();
     let found: Vec<_> = search(word, style.language).collect();
-    if found.is_empty() {
+    let words = words(word, found.is_empty(), style.language);
+    if found.is_empty() && words.is_empty() {
         let offer = near(word).map(|near| text!("cli-keys-near", near = name(near))).unwrap_or_default();
         return Err(Fault::Other(text!("cli-no-key", word = name(word.to_owned()), offer = offer)));
     }
     let page = match args.format {
-        Form::Text => text(&found, style.language),
-        Form::Markdown => markdown(&found, style.language),
+        Form::Text => text(&found, &words, style.language),
+        Form::Markdown => markdown(&found, &words, style.language),
     };
     output::print(&style.text(&page))?;
     Ok(Status::Done)
+}
+
+/// The words of the field that have these letters; `all`: also those of which something that is told has them. None without
+/// letters.
+fn words(wanted: &str, all: bool, language: &Language) -> Vec<&'static Entry> {
+    let wanted = wanted.trim().to_lowercase();
+    let found = |entry: &&Entry| {
+        explained::is_called(entry, &wanted, language)
+            || all && explained::speaks_of(entry, &wanted, language)
+    };
+    if wanted.is_empty() { Vec::new() } else { ENTRIES.iter().filter(found).collect() }
 }
 
 type Matches = (&'static KeyTable, Vec<&'static SceneKey>);
@@ -81,22 +95,9 @@ fn line(key: &SceneKey) -> String {
     format!("{} = {}", key.name, key.example)
 }
 
-/// What holds without a key.
-fn default(key: &SceneKey) -> Text {
-    let of = name(key.sorts);
-    match (key.default, key.sorts.is_empty()) {
-        (KeyDefault::Needed, true) => text!("cli-key-needed"),
-        (KeyDefault::Needed, false) => text!("cli-key-needed-of", sorts = of),
-        (KeyDefault::Absent, true) => Text::default(),
-        (KeyDefault::Absent, false) => text!("cli-key-of", sorts = of),
-        (KeyDefault::Is(value), true) => text!("cli-key-default", value = name(value)),
-        (KeyDefault::Is(value), false) => text!("cli-key-default-of", value = name(value), sorts = of),
-    }
-}
-
 pub(crate) fn manual() -> String {
     let english = Language::english();
-    let lines = text(&search("", english).collect::<Vec<_>>(), english);
+    let lines = text(&search("", english).collect::<Vec<_>>(), &[], english);
     let escaped = lines.replace('\\', "\\e").replace('-', "\\-");
     // A line that begins with a point or a quote would be a request.
     let plain = escaped
@@ -105,9 +106,8 @@ pub(crate) fn manual() -> String {
     format!(".SH KEYS OF A SCENE\n.nf\n{}\n.fi\n", plain.collect::<Vec<_>>().join("\n"))
 }
 
-/// The reference as text, each key with its value, its meaning and an example.
-fn text(found: &[Matches], language: &Language) -> String {
-    let say = |text: &Text| text.render(language);
+/// The reference as text, each key with its value, its meaning and an example; then words of the field.
+fn text(found: &[Matches], words: &[&Entry], language: &Language) -> String {
     let mut page = String::new();
     for (table, keys) in found {
         let what = text!(table.what).render(language);
@@ -115,21 +115,32 @@ fn text(found: &[Matches], language: &Language) -> String {
         let _ = writeln!(page, "{}{head}", if page.is_empty() { "" } else { "\n" });
         for key in keys {
             let _ = writeln!(page, "  {}", line(key));
-            let about = text!(key.about).render(language);
-            let kinds = [say(&key.values()), say(&default(key))];
-            let kinds = kinds.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join("; ");
-            for part in [about, kinds] {
-                let indent = Options::new(WIDTH).initial_indent("      ").subsequent_indent("      ");
-                for row in textwrap::wrap(&part, indent.break_words(false)) {
-                    let _ = writeln!(page, "{row}");
-                }
-            }
+            write_within(&mut page, [text!(key.about), explained::values(key)], language);
         }
+    }
+    if !words.is_empty() {
+        let head = text!("group-words").render(language);
+        let _ = writeln!(page, "{}{head}", if page.is_empty() { "" } else { "\n" });
+    }
+    for word in words {
+        let _ = writeln!(page, "  {}", word.word.render(language));
+        let told = [word.meaning.clone()].into_iter().chain(explained::beside(word, false));
+        write_within(&mut page, told, language);
     }
     page
 }
 
-fn markdown(found: &[Matches], language: &Language) -> String {
+/// Writes texts below what they are about, each on lines of its own.
+fn write_within(page: &mut String, texts: impl IntoIterator<Item = Text>, language: &Language) {
+    for part in texts {
+        let indent = Options::new(WIDTH).initial_indent("      ").subsequent_indent("      ");
+        for row in textwrap::wrap(&part.render(language), indent.break_words(false)) {
+            let _ = writeln!(page, "{row}");
+        }
+    }
+}
+
+fn markdown(found: &[Matches], words: &[&Entry], language: &Language) -> String {
     let cell = |text: String| text.replace('|', "\\|");
     let mut page = format!("{}\n", text!("cli-keys-page").render(language));
     for (table, keys) in found {
@@ -140,8 +151,7 @@ fn markdown(found: &[Matches], language: &Language) -> String {
         let heads = heads.map(|id| text!(id).render(language)).join(" | ");
         let _ = writeln!(page, "\n## {header}\n\n{about}| {heads} |\n| --- | --- | --- | --- |");
         for key in keys {
-            let values = [key.values(), default(key)].map(|text| text.render(language));
-            let values = values.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join("; ");
+            let values = explained::values(key).render(language);
             let about = text!(key.about).render(language);
             let _ = writeln!(
                 page,
@@ -152,6 +162,14 @@ fn markdown(found: &[Matches], language: &Language) -> String {
                 cell(line(key))
             );
         }
+    }
+    if !words.is_empty() {
+        let _ = writeln!(page, "\n## {}\n", text!("group-words").render(language));
+    }
+    for word in words {
+        let told = [word.meaning.clone()].into_iter().chain(explained::beside(word, false));
+        let told: Vec<_> = told.map(|text| text.render(language)).collect();
+        let _ = writeln!(page, "* **{}**: {}", word.word.render(language), told.join("; "));
     }
     page
 }

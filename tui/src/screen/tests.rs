@@ -7,6 +7,7 @@ mod cut;
 mod drawings;
 mod forces;
 mod frames;
+mod glossary;
 #[cfg(all(target_os = "linux", target_arch = "x86_64", target_env = "gnu"))]
 mod guard;
 mod keys;

@@ -165,6 +165,16 @@ impl SceneKey {
         either(self.kinds.iter().map(Describe::describe).collect())
     }
 
+    /// The limits of its number, in words; empty where it has none.
+    pub fn limits(&self) -> Text {
+        match self.limits {
+            Bound::Any => Text::default(),
+            Bound::NotNegative => text!("scene-limit-not-negative"),
+            Bound::Positive => text!("scene-limit-positive"),
+            Bound::Direction => text!("scene-limit-direction"),
+        }
+    }
+
     /// Whether it, or the sentence on it, contains a word.
     fn speaks_of(&self, word: &str, language: &Language) -> bool {
         let names = self.also.split(", ").chain([self.name]);
@@ -268,6 +278,11 @@ impl KeyTable {
         self.keys.iter().find(|key| key.name == name)
     }
 
+    /// The key that stands for names that the user chooses.
+    fn chosen(&self) -> Option<&SceneKey> {
+        self.keys.iter().find(|key| key.name.chars().all(|letter| letter.is_ascii_uppercase()))
+    }
+
     /// The sorts of this table that have a key; `None` where all of them do, or none.
     pub(crate) fn sorts(&self, word: &str) -> Option<&'static str> {
         self.key(word).map(|key| key.sorts).filter(|sorts| !sorts.is_empty())
@@ -317,6 +332,29 @@ pub fn search<'w>(
         };
         let keys: Vec<_> = table.keys.iter().filter(found).collect();
         (!keys.is_empty()).then_some((table, keys))
+    })
+}
+
+/// The key of the reference that a value of a scene has: the innermost one that its key names. None where the reference lacks it.
+pub fn key_of(key: &Key) -> Option<&'static SceneKey> {
+    let name = |at: usize| match key.steps().get(at) {
+        Some(Step::Name(name)) => Some(name.as_str()),
+        _ => None,
+    };
+    let within = |at: usize, table: &str, is_list: bool| {
+        let tables = TABLES.iter().filter(|known| known.name() == table);
+        let own = |table: &&'static KeyTable| table.key(name(at)?).or_else(|| table.chosen());
+        // `[input]` and `[[input]]` have keys of the same name.
+        let found =
+            tables.filter_map(|table| Some((table.header.starts_with("[[") != is_list, own(&table)?)));
+        found.min_by_key(|(differs, _)| *differs).map(|(_, key)| key)
+    };
+    (0..key.steps().len()).rev().find_map(|at| {
+        let outer = (0..at).rev().filter_map(|table| {
+            // An element of a list has its number or its name between them.
+            within(at, name(table)?, at > table + 1)
+        });
+        outer.chain((at == 0).then(|| within(0, "", false)).flatten()).next()
     })
 }
 

@@ -6,7 +6,9 @@ use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use super::{Bound, Describe, KeyDefault, KeyTable, SceneKey, TABLES, ValueKind, search, table};
+use assur_mechanism::Key;
+
+use super::{Bound, Describe, KeyDefault, KeyTable, SceneKey, TABLES, ValueKind, key_of, search, table};
 use crate::edit::{bare, split};
 use crate::tests::fixtures;
 use crate::units::quantity;
@@ -375,4 +377,32 @@ fn keys_that_exclude_each_other_are_refused_together() {
     }
     let wanted: usize = TABLES.iter().flat_map(|table| table.either.iter().flatten().flatten().map(|key| table.rivals(key).len())).sum();
     assert!(judged.len() * 10 >= wanted * 8, "{} of {wanted}: {judged:?}", judged.len());
+}
+
+#[test]
+fn a_value_finds_the_innermost_key_that_it_has() {
+    let about = |key: &Key| key_of(key).map(|key| key.about);
+    let spring = Key::of("spring").at(0).at("length");
+    let load = Key::of("force").at(0).at("value").at("table").at(1).at(0);
+    let part = Key::of("contact").at(0).at("friction").at("against_sliding");
+    assert_eq!(about(&Key::of("link").at("mass").at("points").at("A")), Some("scene-key-points"));
+    assert_eq!(about(&Key::of("assembly").at("B").at(0)), Some("scene-key-assembly-point"));
+    assert_eq!(about(&spring), Some("scene-key-spring-length"));
+    assert_eq!(about(&load), Some("scene-key-table"));
+    assert_eq!(about(&part), Some("scene-key-against-sliding"));
+    assert_eq!(about(&Key::of("input").at("from")), Some("scene-key-input-from"));
+    assert_eq!(about(&Key::of("input").at(0).at("from")), Some("scene-key-inputs-from"));
+    assert_eq!(about(&Key::of("gravity").at(1)), Some("scene-key-gravity"));
+    assert_eq!(about(&Key::of("no_such_table").at("length")), None);
+    let limits = key_of(&spring).map(|key| key.limits().to_string());
+    assert_eq!(limits.as_deref(), Some("not negative"));
+}
+
+#[test]
+fn every_number_of_the_shipped_scenes_has_a_key_in_the_reference() {
+    for (name, scene) in shipped() {
+        for value in crate::edit::ParsedText::of(&scene).values() {
+            assert!(key_of(&value.key).is_some(), "{name}: {}", value.key);
+        }
+    }
 }

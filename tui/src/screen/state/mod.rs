@@ -186,7 +186,7 @@ impl State {
     }
 
     /// What is open within the view and takes keys before it.
-    fn inset(&self) -> Option<View> {
+    pub(crate) fn inset(&self) -> Option<View> {
         let probe = self.probe.as_ref().filter(|_| self.view == View::Mechanism).map(|_| View::Probe);
         Some(View::Values).filter(|_| self.values_open()).or(probe)
     }

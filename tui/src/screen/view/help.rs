@@ -1,10 +1,14 @@
-//! The help: every command by group, with its keys, and the words of the field; typing searches.
+//! The help: what is chosen, every command by group, with its keys, and the words of the field; typing searches.
 
+mod chosen;
+
+use assur_book::glossary::{ENTRIES, Entry};
 use assur_words::{Text, joined, name, text};
 use ratatui::layout::Rect;
 use ratatui::widgets::{Block, Clear, Widget};
 use unicode_width::UnicodeWidthStr;
 
+use crate::explained;
 use crate::screen::draw::{Pen, short, wrapped};
 use crate::screen::state::{Command, Group, Help, Role, State, View};
 
@@ -12,33 +16,6 @@ use crate::screen::state::{Command, Group, Help, Role, State, View};
 const KEYS_AT: u16 = 2;
 const NAME_AT: u16 = 17;
 const HELP_AT: u16 = 36;
-
-/// The words of the field, each with its meaning.
-const GLOSSARY: [&str; 23] = [
-    "word-pf0",
-    "word-pf1",
-    "word-coordinate",
-    "word-inertia",
-    "word-moment",
-    "word-balance",
-    "word-group",
-    "word-class",
-    "word-dyad",
-    "word-formula",
-    "word-mobility",
-    "word-determinant",
-    "word-mode",
-    "word-residual",
-    "word-unevenness",
-    "word-hodograph",
-    "word-plan",
-    "word-transmission",
-    "word-grashof",
-    "word-locking",
-    "word-circuit",
-    "word-instant",
-    "word-condition",
-];
 
 /// The pieces of one row: column, style and text of each.
 type Pieces = Vec<(u16, Role, String)>;
@@ -67,7 +44,7 @@ pub(super) fn draw(pen: &mut Pen<'_>, area: Rect) {
 
 fn rows(state: &State, help: &Help) -> Vec<Pieces> {
     let wanted = help.filter.text.to_lowercase();
-    let mut rows = Vec::new();
+    let mut rows = if wanted.is_empty() { rows_of_chosen(state) } else { Vec::new() };
     let languages = state.told(text!("help-language"));
     if languages.to_lowercase().contains(&wanted) {
         rows.push(vec![(0, Role::Plain, languages)]);
@@ -79,7 +56,8 @@ fn rows(state: &State, help: &Help) -> Vec<Pieces> {
         let commands = state.commands.iter().filter(|command| command.group == group);
         (id, commands.flat_map(|command| rows_of(state, command, &wanted)).collect())
     };
-    let words: Vec<_> = GLOSSARY.iter().flat_map(|word| rows_of_word(state, word, &wanted)).collect();
+    let found = ENTRIES.iter().filter(|word| explained::speaks_of(word, &wanted, state.language()));
+    let words: Vec<_> = found.flat_map(|word| rows_of_word(state, word)).collect();
     let sections = Group::ALL.into_iter().map(of_group).chain([("group-words", words)]);
     for (title, found) in sections.filter(|(_, found)| !found.is_empty()) {
         rows.push(vec![(0, Role::Header, state.told(text!(title)))]);
@@ -98,15 +76,34 @@ fn rows(state: &State, help: &Help) -> Vec<Pieces> {
     rows
 }
 
-/// A word and its meaning; none if they do not match the search.
-fn rows_of_word(state: &State, id: &'static str, wanted: &str) -> Vec<Pieces> {
-    let (word, meaning) = (state.told(text!(id)), state.language().own(&format!("{id}.meaning")));
-    let meaning = meaning.unwrap_or_default();
-    let found = [&word, &meaning].into_iter().any(|text| text.to_lowercase().contains(wanted));
-    // A long word moves its meaning to the right.
+/// What is chosen, with the words of the field that it is about; none where no scene is open.
+fn rows_of_chosen(state: &State) -> Vec<Pieces> {
+    let Some(chosen) = chosen::chosen(state) else { return Vec::new() };
+    let title = state.told(text!("help-chosen", what = chosen.title));
+    let told =
+        chosen.lines.into_iter().flat_map(|line| folded(state, Vec::new(), KEYS_AT, &state.told(line)));
+    let mut rows: Vec<Pieces> = wrapped(&title, usize::from(state.size.0.saturating_sub(2)).max(20))
+        .into_iter()
+        .map(|line| vec![(0, Role::Header, line)])
+        .chain(told)
+        .collect();
+    rows.extend(chosen.words.into_iter().flat_map(|word| rows_of_word(state, word)));
+    rows.push(Vec::new());
+    rows
+}
+
+/// A word with its meaning, its formula, its source, and its place in the note.
+fn rows_of_word(state: &State, entry: &Entry) -> Vec<Pieces> {
+    let word = state.told(&entry.word);
+    // A long word moves what is told of it to the right, a very long one to the next row.
     let end = u16::try_from(word.width()).unwrap_or(u16::MAX).saturating_add(KEYS_AT + 2);
-    let words = vec![(KEYS_AT, Role::Key, word)];
-    if found { folded(state, words, NAME_AT.max(end), &meaning) } else { Vec::new() }
+    let (column, beside) = if end <= HELP_AT { (NAME_AT.max(end), true) } else { (NAME_AT, false) };
+    let word = vec![(KEYS_AT, Role::Key, word)];
+    let (mut rows, first) = if beside { (Vec::new(), word) } else { (vec![word], Vec::new()) };
+    rows.extend(folded(state, first, column, &state.told(&entry.meaning)));
+    let further = explained::beside(entry, state.look.ascii);
+    rows.extend(further.into_iter().flat_map(|line| folded(state, Vec::new(), column, &state.told(line))));
+    rows
 }
 
 /// A command and what it does; none if it does not match the search.
