@@ -93,7 +93,7 @@ impl Session {
     pub(crate) fn changed(&self, text: String) -> Result<Self, Text> {
         let source = self.source.clone();
         let (mechanism, note) = read(&source, &text)?;
-        let Some(linkage) = self.linkage.get().filter(|_| mechanism.has_structure_of(&self.mechanism)) else {
+        let Some(linkage) = self.linkage.get().filter(|_| mechanism.has_structure_of(&self.mechanism) && has_names_of(&mechanism, &self.mechanism)) else {
             return Self::read(source, text);
         };
         let varied = Linkage::clone(linkage).varied(mechanism.clone(), &self.all_groups());
@@ -197,6 +197,13 @@ impl Session {
     pub(crate) fn in_file(&self, message: Text) -> Text {
         in_file(&self.source, message)
     }
+}
+
+/// Whether the parts of two mechanisms of one structure have the same names.
+fn has_names_of(one: &Mechanism, other: &Mechanism) -> bool {
+    let links = one.links.iter().zip(&other.links).all(|(one, other)| one.name == other.name);
+    let points = one.points.iter().zip(&other.points).all(|(one, other)| one.name == other.name);
+    links && points && one.slides.iter().zip(&other.slides).all(|(one, other)| one.name == other.name)
 }
 
 /// The mechanism of a scene, which need not be one that moves.

@@ -4,7 +4,7 @@ use assur_mechanism::Key;
 use assur_scene::edit::quoted;
 use assur_scene::reference;
 
-use crate::change::{Change, Step, value};
+use crate::change::{Change, Step};
 use crate::field::Opening;
 use crate::sort::word_key;
 use crate::tables::{Tables, last, owner};
@@ -40,20 +40,20 @@ pub fn made(text: &str, at: &Key, opening: &Opening) -> Change {
         };
         Some((key, toml))
     };
-    if tables.table(&at).is_some() {
-        return match first(&step) {
-            Some((key, toml)) => value(text, &at.clone().at(key), &toml),
-            None => step.done(&at),
-        };
-    }
-    // A law over time begins where the input did.
-    let begins = || tables.written(&owner(&at).at("from")).filter(|_| last(&at) == "over_time");
-    let number = tables.written(&at).or_else(begins);
-    step.carried.extend(number.map(|written| (at.clone(), written.to_owned())));
-    let inner = first(&step).map(|(key, toml)| format!(" {key} = {toml} ")).unwrap_or_default();
-    if let Err(message) = step.set(&at, &format!("{{{inner}}}")) {
+    let (key, toml) = if tables.table(&at).is_some() {
+        let Some((name, toml)) = first(&step) else { return step.done(&at) };
+        (at.clone().at(name), toml)
+    } else {
+        // A law over time begins where the input did.
+        let begins = || tables.written(&owner(&at).at("from")).filter(|_| last(&at) == "over_time");
+        let number = tables.written(&at).or_else(begins);
+        step.carried.extend(number.map(|written| (at.clone(), written.to_owned())));
+        let inner = first(&step).map(|(key, toml)| format!(" {key} = {toml} ")).unwrap_or_default();
+        (at.clone(), format!("{{{inner}}}"))
+    };
+    if let Err(message) = step.set(&key, &toml) {
         return Change::refused(text, &at, message);
     }
-    step.settle(text, &at, true);
+    step.settle(text, &key, true);
     step.done(&at)
 }

@@ -1,11 +1,9 @@
 //! Values for the keys that a table needs, which read where they stand.
 
 use assur_mechanism::Key;
+use assur_scene::edit::{bare, decimal, quoted};
 use assur_scene::reference::{KeyTable, SceneKey, ValueKind};
 use assur_scene::{Dimension, quantity};
-use assur_scene::edit::{bare, decimal, quoted};
-
-
 use toml::de::DeValue;
 
 use crate::change::Step;
@@ -14,6 +12,9 @@ use crate::fault::Fault;
 use crate::rows::columns;
 use crate::tables::{Tables, key_of, last, owner, table_at};
 
+/// What the arguments of rows measure, but for plain numbers, which are as right in any unit.
+const ARGUMENTS: [Dimension; 5] =
+    [Dimension::Angle, Dimension::Length, Dimension::Time, Dimension::AngularSpeed, Dimension::Speed];
 /// More values are not tried.
 const MOST: usize = 40;
 /// A table needs fewer keys.
@@ -22,10 +23,6 @@ const MOST_KEYS: usize = 24;
 impl Step {
     /// Sets the keys that a table, and what stands at one of its keys, needs since the beginning; not this key itself.
     pub(crate) fn complete(&mut self, at: &Key, key: &Key) {
-        self.complete_with(at, key, true);
-    }
-
-    fn complete_with(&mut self, at: &Key, key: &Key, others: bool) {
         let mut tried = vec![key.clone()];
         for _ in 0..MOST_KEYS {
             let place = |key: &Key| {
@@ -35,44 +32,67 @@ impl Step {
             let is_own = |own: &Key| owner(own) == *at || owner(own).steps().starts_with(key.steps());
             let lacking = self.faults().iter().filter_map(Fault::missing).filter(is_own).collect::<Vec<_>>();
             let lacking = lacking.into_iter().filter(|key| !tried.contains(key) && place(key).is_some());
-            let Some(first) = lacking.min_by_key(|key| place(key)) else { return };
-            self.fill(&first, others);
+            let Some(first) = lacking.min_by_key(|key| place(key)) else { break };
+            self.fill(&first);
             tried.push(first);
         }
-    }
-
-    /// Gives a key that is missing the value with the fewest faults; `others`: or one to a key that may stand in its place.
-    fn fill(&mut self, key: &Key, others: bool) {
-        let least = self.wrong();
-        let mut best = self.best(key, least);
-        if others && best.as_ref().is_none_or(|(_, wrong)| *wrong > least) {
-            let known = table_at(owner(key).steps());
-            for rival in known.map(|table| rivals(table, last(key))).unwrap_or_default() {
-                let rival = owner(key).at(rival);
-                for value in self.candidates(&rival).into_iter().take(MOST) {
-                    let mut other = self.clone();
-                    if other.set(&rival, &value).is_err() {
-                        continue;
-                    }
-                    other.also.push(rival.clone());
-                    other.complete_with(&owner(key), &rival, false);
-                    let wrong = other.faults().len();
-                    if best.as_ref().is_none_or(|(_, least)| wrong < *least) {
-                        best = Some((other, wrong));
-                    }
-                    if wrong == 0 {
-                        break;
-                    }
+        let mended = if self.tries_others { tried.get(1..).unwrap_or_default() } else { &[] };
+        for key in mended {
+            let is_wrong = |fault: &Fault| fault.missing().is_none() && fault.concerns(key);
+            let wrong = self.faults();
+            if wrong.iter().any(is_wrong) {
+                // What is wrong with a value may show only where the whole table stands: a pair that has its friction already.
+                if let Some(better) = self.better(key, wrong.len()) {
+                    *self = better;
                 }
             }
         }
-        if let Some((step, _)) = best {
+    }
+
+    /// Gives a key that is missing the value with the fewest faults, or one to a key that may stand in its place.
+    fn fill(&mut self, key: &Key) {
+        let least = self.wrong();
+        let best = self.best(key, least);
+        let is_good = best.as_ref().is_some_and(|(_, wrong)| *wrong <= least);
+        let mut fewest = best.as_ref().map_or(usize::MAX, |(_, wrong)| *wrong);
+        let mut found = best.map(|(step, _)| step);
+        let known = table_at(owner(key).steps()).filter(|_| self.tries_others && !is_good);
+        for rival in known.map(|table| rivals(table, last(key))).unwrap_or_default() {
+            if let Some(other) = self.better(&owner(key).at(rival), fewest) {
+                fewest = other.faults().len();
+                found = Some(other);
+            }
+        }
+        if let Some(step) = found {
             *self = step;
         }
     }
 
+    /// This step with the value of a key that, with all that it makes needed, has the fewest faults, if there are fewer than so many.
+    fn better(&self, key: &Key, mut fewest: usize) -> Option<Self> {
+        let mut found = None;
+        for value in self.candidates(key).into_iter().take(MOST) {
+            let mut other = self.clone();
+            other.tries_others = false;
+            if other.set(key, &value).is_err() {
+                continue;
+            }
+            other.also.push(key.clone());
+            other.settle(&self.text, key, true);
+            let wrong = other.faults().len();
+            if wrong < fewest {
+                other.tries_others = true;
+                (fewest, found) = (wrong, Some(other));
+            }
+            if wrong == 0 {
+                break;
+            }
+        }
+        found
+    }
+
     /// This step with the best value of a key, and how many faults it has then; the first value with so few as `least`.
-    pub(crate) fn best(&self, key: &Key, least: usize) -> Option<(Self, usize)> {
+    fn best(&self, key: &Key, least: usize) -> Option<(Self, usize)> {
         let mut best: Option<(Self, usize)> = None;
         for value in self.candidates(key).into_iter().take(MOST) {
             let mut other = self.clone();
@@ -92,7 +112,7 @@ impl Step {
     }
 
     /// How many faults are new, but for keys that are missing.
-    pub(crate) fn wrong(&self) -> usize {
+    fn wrong(&self) -> usize {
         self.faults().iter().filter(|fault| fault.missing().is_none()).count()
     }
 
@@ -100,17 +120,27 @@ impl Step {
     pub(crate) fn candidates(&self, key: &Key) -> Vec<String> {
         let Some(known) = key_of(key.steps()) else { return Vec::new() };
         let tables = Tables::of(&self.text);
-        let same = |(own, _): &&(Key, String)| key_of(own.steps()).is_some_and(|own| own.kinds == known.kinds);
+        let same =
+            |(own, _): &&(Key, String)| key_of(own.steps()).is_some_and(|own| own.kinds == known.kinds);
         let carried = self.carried.iter().filter(same).map(|(_, value)| value.clone());
-        // Words come before names: a slide is on the ground.
-        let words = known.words().map(quoted);
         let rows = known.kinds.contains(&ValueKind::Rows).then(|| self.of_rows(&tables, key));
-        let values = known.kinds.iter().flat_map(|kind| self.of_kind(&tables, key, (known, kind)));
-        carried.chain(words).chain(rows.into_iter().flatten()).chain(values).collect()
+        // Words come before names: a slide is on the ground. Whatever names nothing may be as in the reference.
+        let names_something = known
+            .kinds
+            .iter()
+            .any(|kind| matches!(kind, ValueKind::Named(_) | ValueKind::Place | ValueKind::Two(_)));
+        let first: Vec<_> = match last(key) {
+            "formula" => self.constant(&tables, key).into_iter().collect(),
+            _ if names_something => known.words().map(quoted).collect(),
+            _ => Vec::new(),
+        };
+        let example = (!names_something).then(|| known.example.to_owned());
+        let values = known.kinds.iter().flat_map(|kind| Self::of_kind(&tables, key, (known, kind)));
+        carried.chain(rows.into_iter().flatten()).chain(first).chain(example).chain(values).collect()
     }
 
-    fn of_kind(&self, tables: &Tables<'_>, key: &Key, (known, kind): (&SceneKey, &ValueKind)) -> Vec<String> {
-        let example = || known.example.to_owned();
+    /// Values of one kind; none of a kind whose values name nothing and have no unit.
+    fn of_kind(tables: &Tables<'_>, key: &Key, (known, kind): (&SceneKey, &ValueKind)) -> Vec<String> {
         match kind {
             ValueKind::Quantity(dimension) => vec![of_dimension(known.example, *dimension)],
             ValueKind::ByInput(turning, sliding) => {
@@ -127,29 +157,35 @@ impl Step {
                 let pairs = |(at, one): (usize, &String)| {
                     // Both ends of a spring are not on one link.
                     let links = tables.holders(one);
-                    let is_apart = |other: &&String| tables.holders(other).iter().all(|link| !links.contains(link));
+                    let is_apart =
+                        |other: &&String| tables.holders(other).iter().all(|link| !links.contains(link));
                     let others = names[at + 1..].iter().filter(is_apart);
                     others.map(|other| format!("[{}, {}]", quoted(one), quoted(other))).collect::<Vec<_>>()
                 };
                 names.iter().enumerate().flat_map(pairs).collect()
             }
-            ValueKind::Text if last(key) == "formula" => {
-                let dimension = columns(tables, key)[1];
-                let size = self.size(key).and_then(|size| quantity(&bare(size), dimension?).ok());
-                size.map(|size| quoted(&size.to_string())).into_iter().chain([example()]).collect()
-            }
-            ValueKind::Rows | ValueKind::Table(_) | ValueKind::Word(_) => Vec::new(),
-            ValueKind::Count | ValueKind::Flag | ValueKind::Text | ValueKind::Points | ValueKind::Two(_) | ValueKind::List(_) => {
-                vec![example()]
-            }
+            // The example of the reference stands for all that names nothing.
+            _ => Vec::new(),
         }
+    }
+
+    /// The number that stood in place of the table of a formula, as a formula in SI.
+    fn constant(&self, tables: &Tables<'_>, key: &Key) -> Option<String> {
+        let size = quantity(&bare(self.size(key)?), columns(tables, key)[1]?).ok()?;
+        Some(quoted(&size.to_string()))
     }
 
     /// The number that stood in place of the table that has a key.
     fn size(&self, key: &Key) -> Option<&str> {
         let of = owner(key);
         let is_number = |value: &&String| !value.starts_with(['{', '[']);
-        self.carried.iter().rev().filter(|(own, _)| *own == of).map(|(_, value)| value).find(is_number).map(String::as_str)
+        self.carried
+            .iter()
+            .rev()
+            .filter(|(own, _)| *own == of)
+            .map(|(_, value)| value)
+            .find(is_number)
+            .map(String::as_str)
     }
 
     /// Rows for a key: those of another key of its table over its own argument, or else the number that stood in their place.
@@ -187,8 +223,7 @@ fn places(rows: &str) -> Option<Vec<(f64, String)>> {
     let read = |dimension: &Dimension| {
         rows.iter().map(|[at, _]| quantity(&bare(at), *dimension).ok()).collect::<Option<Vec<_>>>()
     };
-    use Dimension as D;
-    let at = [D::Angle, D::Length, D::Time, D::AngularSpeed, D::Speed].iter().find_map(read)?;
+    let at = ARGUMENTS.iter().find_map(read)?;
     let (first, last) = (*at.first()?, *at.last()?);
     let place = |at: f64| if last > first { (at - first) / (last - first) } else { 0.0 };
     Some(at.into_iter().map(place).zip(rows.into_iter().map(|[_, value]| value)).collect())

@@ -35,8 +35,9 @@ impl Change {
 
 /// Gives a field the value that was typed, as [`typed`] understands it; where nothing was typed, the key is removed.
 ///
-/// The text has the value even if it is refused, so that it can be shown while it is typed: see [`Change::here`]. Keys of the same
-/// table that exclude it, or that belong to another sort than the table has then, are removed; those that it makes needed are set.
+/// Keys of the same table that exclude it, or that belong to another sort than the table has then, are removed; those that it makes needed
+/// are set. While the value is refused, the text has it nevertheless, so that it can be shown, and nothing else changes: see
+/// [`Change::here`].
 pub fn put(text: &str, field: &Field, typed_text: &str) -> Change {
     value(text, &field.key, &typed(field, typed_text))
 }
@@ -47,14 +48,17 @@ pub(crate) fn value(text: &str, key: &Key, toml: &str) -> Change {
     if let Err(message) = step.set(key, toml) {
         return Change::refused(text, key, message);
     }
-    let is_default = key_of(key.steps())
-        .is_some_and(|known| matches!(known.default, KeyDefault::Is(own) if own == toml));
+    let is_default =
+        key_of(key.steps()).is_some_and(|known| matches!(known.default, KeyDefault::Is(own) if own == toml));
+    let alone = step.text.clone();
     step.settle(text, key, !toml.is_empty() && !is_default);
-    step.done(key)
+    let change = step.done(key);
+    if change.here.is_some() { Change { text: alone, also: Vec::new(), ..change } } else { change }
 }
 
 /// Faults of keys that have no effect beside others.
-const OUT_OF_PLACE: [&str; 3] = ["scene-key-of-motor", "scene-key-of-catalogue", "scene-friction-without-length"];
+const OUT_OF_PLACE: [&str; 3] =
+    ["scene-key-of-motor", "scene-key-of-catalogue", "scene-friction-without-length"];
 
 /// A text on its way.
 #[derive(Debug, Clone)]
@@ -65,11 +69,19 @@ pub(crate) struct Step {
     pub(crate) also: Vec<Key>,
     /// Values that were removed, by their keys, to be used for others of the same kinds.
     pub(crate) carried: Vec<(Key, String)>,
+    /// Whether other values are tried for a key that is set, and other keys in its place.
+    pub(crate) tries_others: bool,
 }
 
 impl Step {
     pub(crate) fn of(text: &str) -> Self {
-        Self { text: text.to_owned(), before: faults(text), also: Vec::new(), carried: Vec::new() }
+        Self {
+            text: text.to_owned(),
+            before: faults(text),
+            also: Vec::new(),
+            carried: Vec::new(),
+            tries_others: true,
+        }
     }
 
     /// The faults that were not there at the beginning.
@@ -79,8 +91,11 @@ impl Step {
 
     /// Gives a key a value (TOML), or removes it where that is empty.
     pub(crate) fn set(&mut self, key: &Key, toml: &str) -> Result<(), Text> {
-        self.text =
-            if toml.is_empty() { assur_draft::remove(&self.text, key) } else { assur_draft::set(&self.text, key, toml)? };
+        self.text = if toml.is_empty() {
+            assur_draft::remove(&self.text, key)
+        } else {
+            assur_draft::set(&self.text, key, toml)?
+        };
         Ok(())
     }
 

@@ -46,7 +46,12 @@ pub fn found<'c>(choices: &'c [Choice], typed: &str, language: &Language) -> Vec
 }
 
 /// The choices for a key that takes these kinds of values.
-pub(crate) fn choices(tables: &Tables<'_>, key: &Key, kinds: &[ValueKind], offers: Offers<'_>) -> Vec<Choice> {
+pub(crate) fn choices(
+    tables: &Tables<'_>,
+    key: &Key,
+    kinds: &[ValueKind],
+    offers: Offers<'_>,
+) -> Vec<Choice> {
     let of_kind = |kind: &ValueKind| match kind {
         ValueKind::Word(word) if last(key) == "over" && !is_possible(tables, &owner(key), word) => Vec::new(),
         ValueKind::Word(word) => vec![Choice::word(*word)],

@@ -48,8 +48,10 @@ impl Fault {
     /// Whether it concerns a key: lies in its value or in its list, or names it as what its table lacks.
     pub(crate) fn concerns(&self, key: &Key) -> bool {
         let Some(own) = &self.key else { return false };
-        let list = if matches!(key.steps().last(), Some(Step::Index(_))) { key.of_list() } else { key.clone() };
-        let of_table = own == &owner(key) && self.message.names().contains(&last(key)) && !last(key).is_empty();
+        let list =
+            if matches!(key.steps().last(), Some(Step::Index(_))) { key.of_list() } else { key.clone() };
+        let of_table =
+            own == &owner(key) && self.message.names().contains(&last(key)) && !last(key).is_empty();
         own.steps().starts_with(list.steps()) || of_table
     }
 }

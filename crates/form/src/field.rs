@@ -4,7 +4,7 @@ use assur_mechanism::Key;
 use assur_scene::Dimension;
 use assur_scene::edit::{bare, split};
 use assur_scene::reference::{Bound, KeyDefault, SceneKey, ValueKind, either, table};
-use assur_words::{Describe, Text, joined, name, quantity, text};
+use assur_words::{Describe, Text, joined, name, text};
 use toml::de::DeValue;
 
 use crate::choices::{Choice, Offers, choices};
@@ -72,9 +72,8 @@ impl Field {
         let written = |written: &str| if written.starts_with('[') { "{ ... }" } else { written }.to_owned();
         let is_table = tables.table(&key).is_some();
         let value = tables.written(&key);
-        let value = value.map(|value| {
-            if is_table && !value.starts_with('{') { written("[") } else { value.to_owned() }
-        });
+        let value = value
+            .map(|value| if is_table && !value.starts_with('{') { written("[") } else { value.to_owned() });
         Self {
             label: last(&key).to_owned(),
             about: Text::default(),
@@ -121,7 +120,7 @@ impl Field {
     /// What holds where it is left out, with its unit; empty where that is nothing, or where it is needed.
     pub fn default_shown(&self) -> Text {
         let KeyDefault::Is(value) = self.default else { return Text::default() };
-        if value.parse::<f64>().is_ok() { quantity(value, self.unit) } else { name(bare(value)) }
+        if value.parse::<f64>().is_ok() { name(format!("{value} {}", self.unit).trim_end().to_owned()) } else { name(bare(value)) }
     }
 }
 
@@ -177,6 +176,9 @@ pub fn field(text: &str, at: &Key, offers: Offers<'_>) -> Option<Field> {
 /// The field of a point among those of a link or of the ground.
 pub(crate) fn point(tables: &Tables<'_>, key: Key, points: &SceneKey) -> Field {
     // A place of a link is no other point of it.
-    let kinds = vec![ValueKind::Quantity(Dimension::Length), ValueKind::Two(Box::new(ValueKind::Quantity(Dimension::Length)))];
+    let kinds = vec![
+        ValueKind::Quantity(Dimension::Length),
+        ValueKind::Two(Box::new(ValueKind::Quantity(Dimension::Length))),
+    ];
     Field { about: text!(points.about), default: KeyDefault::Absent, ..Field::bare(tables, key, kinds) }
 }

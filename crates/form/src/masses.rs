@@ -57,7 +57,7 @@ pub fn rod(text: &str, link: &str, per_meter: f64) -> Change {
     };
     let length = (one[0] - other[0]).hypot(one[1] - other[1]);
     let mass = per_meter * length;
-    let [x, y] = [0, 1].map(|axis| toml_number(decimal((one[axis] + other[axis]) / 2.0)));
+    let [x, y] = [0, 1].map(|axis| toml_number(decimal(f64::midpoint(one[axis], other[axis]))));
     let quantity = |number: f64, unit: &str| format!("\"{} {unit}\"", toml_number(decimal(number)));
     let values =
         [quantity(mass, "kg"), format!("[{x}, {y}]"), quantity(mass * length * length / 12.0, "kg*m^2")];
@@ -75,7 +75,9 @@ pub fn rod(text: &str, link: &str, per_meter: f64) -> Change {
 fn ends(text: &str, link: &str) -> Option<[[f64; 2]; 2]> {
     let tables = Tables::of(text);
     let at = Key::of("link").at(link).at("points");
-    let point = |name: String| Some(format!("{} = {}", quoted(&name), tables.written(&at.clone().at(name.as_str()))?));
+    let point = |name: String| {
+        Some(format!("{} = {}", quoted(&name), tables.written(&at.clone().at(name.as_str()))?))
+    };
     let points = tables.names(&at).into_iter().map(point).collect::<Option<Vec<_>>>()?.join(", ");
     // Read alone, so that faults elsewhere don't matter.
     let scene = format!(

@@ -11,11 +11,7 @@ pub(crate) fn sort(tables: &Tables<'_>, at: &Key, table: &KeyTable) -> Option<&'
     let sorts = table.all_sorts();
     let of_scene = match table.header {
         "[motion]" if tables.is_over_time() => Some("over_time"),
-        "[[friction]]" => {
-            let pair = tables.word(&at.clone().at("pair"))?;
-            let is_slide = tables.slides().iter().any(|[name, ..]| name == pair);
-            Some(if is_slide { "slide" } else { "pin" })
-        }
+        "[[friction]]" => return tables.sort_of_pair(tables.word(&at.clone().at("pair"))?),
         _ => None,
     };
     let of_key = || {
@@ -59,7 +55,8 @@ pub(crate) fn openings(tables: &Tables<'_>, at: &Key, key: &SceneKey) -> Vec<Ope
         sorts.into_iter().map(opening)
     };
     let all = headers(key).filter(|header| !header.starts_with('[')).flat_map(of_header);
-    all.filter(|opening| opening.sort.is_none_or(|sort| opening.stands || is_possible(tables, at, sort))).collect()
+    all.filter(|opening| opening.sort.is_none_or(|sort| opening.stands || is_possible(tables, at, sort)))
+        .collect()
 }
 
 /// Whether the value of a key may be a table of a sort: only a force has a point whose stroke can be followed, and of several inputs none

@@ -130,10 +130,15 @@ impl<'t> Tables<'t> {
     pub(crate) fn slides(&self) -> Vec<[String; 3]> {
         let all = (0..self.count(&Key::of("slide"))).map(|index| Key::of("slide").at(index));
         let part = |key: &Key, name: &str| self.word(&key.clone().at(name)).unwrap_or_default().to_owned();
-        let slide = |key: Key| {
-            Some([self.table(&key).and_then(label)?, part(&key, "link"), part(&key, "on")])
-        };
+        let slide =
+            |key: Key| Some([self.table(&key).and_then(label)?, part(&key, "link"), part(&key, "on")]);
         all.filter_map(slide).collect()
+    }
+
+    /// Whether a pair is a `pin` or a `slide`; `None` of one that the scene does not have.
+    pub(crate) fn sort_of_pair(&self, pair: &str) -> Option<&'static str> {
+        let is_slide = self.slides().iter().any(|[name, ..]| name == pair);
+        if is_slide { Some("slide") } else { (self.holders(pair).len() > 1).then_some("pin") }
     }
 
     /// The names of all links, points, slides or pairs, as the reference calls them.
@@ -208,11 +213,7 @@ fn in_table(table: &DeTable<'_>, steps: &mut Vec<Step>, tell: &mut impl FnMut(&[
     }
 }
 
-fn within(
-    value: &Spanned<DeValue<'_>>,
-    steps: &mut Vec<Step>,
-    tell: &mut impl FnMut(&[Step], Range<usize>),
-) {
+fn within(value: &Spanned<DeValue<'_>>, steps: &mut Vec<Step>, tell: &mut impl FnMut(&[Step], Range<usize>)) {
     tell(steps, value.span());
     match value.get_ref() {
         DeValue::Table(table) => in_table(table, steps, tell),

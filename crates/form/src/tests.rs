@@ -1,12 +1,14 @@
 //! Forms of the shipped scenes.
 
 mod examples;
+mod lists;
+mod steps;
 mod values;
 
 use assur_fixtures::scene;
 use assur_mechanism::{Key, Mechanism};
 
-use crate::{Change, Field, field};
+use crate::{Change, Field, field, put};
 
 fn key(text: &str) -> Key {
     Key::parse(text).unwrap()
@@ -15,6 +17,11 @@ fn key(text: &str) -> Key {
 /// The field of a key.
 fn of(text: &str, at: &str) -> Field {
     field(text, &key(at), &[]).unwrap_or_else(|| panic!("{at}"))
+}
+
+/// What is made of a text where something is typed into the field of a key.
+fn typing(text: &str, at: &str, typed: &str) -> Change {
+    put(text, &of(text, at), typed)
 }
 
 fn read(text: &str) -> Mechanism {

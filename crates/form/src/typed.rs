@@ -17,7 +17,8 @@ pub fn typed(field: &Field, typed: &str) -> String {
     if text.is_empty() {
         return String::new();
     }
-    if let Some(choice) = field.choices.iter().find(|choice| [&choice.toml, &bare(&choice.toml)].contains(&&text.to_owned()))
+    if let Some(choice) =
+        field.choices.iter().find(|choice| [&choice.toml, &bare(&choice.toml)].contains(&&text.to_owned()))
     {
         return choice.toml.clone();
     }
@@ -48,7 +49,8 @@ pub fn typed(field: &Field, typed: &str) -> String {
 
 /// The unit that stands in a value: of a list, in its first element with one.
 fn own_unit(field: &Field) -> String {
-    let written = field.value.as_deref().unwrap_or_default();
+    let written = field.value.as_deref().filter(|value| !value.starts_with('{') && !value.starts_with("[["));
+    let written = written.unwrap_or_default();
     let items = written.trim_start_matches('[').trim_end_matches(']').split(',');
     let unit = |item: &str| split(&bare(item.trim())).map(|(_, unit)| unit).filter(|unit| !unit.is_empty());
     items.into_iter().find_map(unit).unwrap_or_default()
@@ -112,6 +114,7 @@ fn number(text: &str, unit: &str) -> Option<String> {
         return Some(quoted(&format!("{digits} {unit}")));
     }
     // `.5` and `05` are no TOML.
-    let is_toml = DeValue::parse(digits).is_ok_and(|toml| toml.get_ref().is_integer() || toml.get_ref().is_float());
+    let is_toml =
+        DeValue::parse(digits).is_ok_and(|toml| toml.get_ref().is_integer() || toml.get_ref().is_float());
     Some(if is_toml { digits.to_owned() } else { value.to_string() })
 }

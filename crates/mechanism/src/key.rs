@@ -18,6 +18,13 @@ pub enum Step {
     Range(usize, Option<usize>),
 }
 
+impl Step {
+    /// The name of a step that is one.
+    pub fn name(&self) -> Option<&str> {
+        if let Self::Name(name) = self { Some(name) } else { None }
+    }
+}
+
 impl From<&str> for Step {
     fn from(name: &str) -> Self {
         Self::Name(name.to_owned())

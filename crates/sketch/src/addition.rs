@@ -45,7 +45,12 @@ pub fn additions() -> Result<Vec<Addition>, RegistryError> {
     let mut all: Vec<_> = groups()?.into_iter().filter_map(of_kind).collect();
     // Types of one class in their order, kinds without a number after them.
     all.sort_by_key(|one| (one.pattern.links, one.plugin.map_or(0, |plugin| plugin.number).wrapping_sub(1)));
-    all.push(Addition::new("free-link", [text!("sketch-free-link"), text!("sketch-free-link.about")], FREE_LINK, None));
+    all.push(Addition::new(
+        "free-link",
+        [text!("sketch-free-link"), text!("sketch-free-link.about")],
+        FREE_LINK,
+        None,
+    ));
     all.push(Addition::new("rod", [text!("sketch-rod"), text!("sketch-rod.about")], ROD, None));
     all.push(Addition::new("block", [text!("sketch-block"), text!("sketch-block.about")], BLOCK, None));
     Ok(all)
@@ -58,14 +63,20 @@ impl Addition {
         pattern: Pattern,
         plugin: Option<&'static GroupPlugin>,
     ) -> Self {
-        let sorts = pattern.inner.iter().map(|(_, sort)| *sort).chain(pattern.outer.iter().map(|(_, sort)| *sort));
+        let sorts =
+            pattern.inner.iter().map(|(_, sort)| *sort).chain(pattern.outer.iter().map(|(_, sort)| *sort));
         let sorts = sorts.map(|sort| if sort == Any { Pin } else { sort }).collect();
         Self { name, title, about, pattern, plugin, sorts }
     }
 
     /// The pairs whose sort is the caller's to choose, as indices in `sorts`.
     pub fn open(&self) -> Vec<usize> {
-        let sorts = self.pattern.inner.iter().map(|(_, sort)| sort).chain(self.pattern.outer.iter().map(|(_, sort)| sort));
+        let sorts = self
+            .pattern
+            .inner
+            .iter()
+            .map(|(_, sort)| sort)
+            .chain(self.pattern.outer.iter().map(|(_, sort)| sort));
         sorts.enumerate().filter(|(_, sort)| **sort == Any).map(|(pair, _)| pair).collect()
     }
 

@@ -44,7 +44,8 @@ pub struct Closing {
 }
 
 /// Of a scene that can't be assembled in all its positions: the numbers among these of which a change alone closes it, each with its
-/// nearest such value and a margin of 1 %, those that change least first. Where no value makes all positions possible, the first.
+/// nearest such value and a margin of 1 %, those that change least first. Numbers of which no value makes more than the first position
+/// possible come last.
 pub fn closings(text: &str, keys: &[Key]) -> Vec<Closing> {
     let Ok(reading) = assur_scene::reading("", text) else { return Vec::new() };
     let Ok(structure) = decompose(&reading.mechanism) else { return Vec::new() };
@@ -54,8 +55,9 @@ pub fn closings(text: &str, keys: &[Key]) -> Vec<Closing> {
         return Vec::new();
     }
     let numbers = keys.iter().filter_map(|key| reading.numbers.iter().find(|number| number.key == *key));
-    let mut all: Vec<(f64, Closing)> = numbers.filter_map(|number| probe.closing(text, number, now)).collect();
-    all.sort_by(|one, other| one.0.total_cmp(&other.0));
+    let mut all: Vec<(f64, Closing)> =
+        numbers.filter_map(|number| probe.closing(text, number, now)).collect();
+    all.sort_by(|one, other| other.1.fit.cmp(&one.1.fit).then(one.0.total_cmp(&other.0)));
     all.into_iter().take(MOST).map(|(_, closing)| closing).collect()
 }
 
@@ -78,15 +80,17 @@ struct Found {
 impl Probe {
     /// The nearest value of a number that closes, with the relative change.
     fn closing(&self, text: &str, number: &SceneNumber, now: Fit) -> Option<(f64, Closing)> {
-        let dimension = [Dimension::Length, Dimension::Angle].into_iter().find(|of| number.kinds.contains(of))?;
+        let dimension =
+            [Dimension::Length, Dimension::Angle].into_iter().find(|of| number.kinds.contains(of))?;
         let old = written(text, &number.key);
         let (value, unit) = old.first().filter(|_| number.is_free())?;
         let from = Unit::of(unit, dimension).ok()?.si(*value);
         let is_angle = dimension == Dimension::Angle;
-        let size = if is_angle { 1.0 } else { from.abs().max(0.1 * self.size) };
+        let size = if is_angle { 1.0 } else { from.abs().max(0.25 * self.size) };
         let step = if is_angle { 0.1_f64.to_radians() } else { 0.1 * step_of(self.size) };
         // A length that is a single number keeps its sign.
-        let is_length = !is_angle && !matches!(number.key.steps().last(), Some(assur_mechanism::Step::Index(_)));
+        let is_length =
+            !is_angle && !matches!(number.key.steps().last(), Some(assur_mechanism::Step::Index(_)));
         let fit = |value: f64| {
             let is_turned = is_length && from * value <= 0.0 && from != 0.0;
             if is_turned || !number.admits(value) { Fit::Nowhere } else { self.with(number, value) }
@@ -98,7 +102,8 @@ impl Probe {
             rounded_to(limit + margin.copysign(limit - from), step)
         };
         let to = MARGINS.into_iter().map(beyond).find(|value| fit(*value) >= goal)?;
-        let closing = Closing { key: number.key.clone(), from, to, toml: like(&old, to, dimension), fit: goal };
+        let closing =
+            Closing { key: number.key.clone(), from, to, toml: like(&old, to, dimension), fit: goal };
         Some(((to - from).abs() / size, closing))
     }
 

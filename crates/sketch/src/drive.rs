@@ -1,13 +1,14 @@
 //! What could drive a mechanism.
 
 use assur_draft::{remove, set};
-use assur_mechanism::{GROUND, InputPair, Key, LinkId, Mechanism, PairId};
+use assur_mechanism::{GROUND, InputPair, Key, LinkId, Mechanism, Name};
 use assur_scene::edit::quoted;
 use assur_words::{Text, text};
 
 use crate::Sketch;
 use crate::number::{degrees, millimeters, rounded, step_of};
-use crate::pose::{reduced, way};
+use crate::pose::{distance, reduced, way};
+use crate::reach::SAME;
 
 /// How far a sliding input goes, in parts of its first displacement.
 const STROKE: f64 = 0.2;
@@ -51,7 +52,8 @@ pub fn drives(mechanism: &Mechanism) -> Vec<Drive> {
 impl Drive {
     fn of(mechanism: &Mechanism, link: LinkId, on: LinkId, pair: InputPair) -> Self {
         let name = |link: LinkId| mechanism.links[link].name.to_string();
-        let joins = |one: LinkId, other: LinkId| [one, other] == [link, GROUND] || [one, other] == [GROUND, link];
+        let joins =
+            |one: LinkId, other: LinkId| [one, other] == [link, GROUND] || [one, other] == [GROUND, link];
         let pins = mechanism.points.iter().filter(|point| point.on(link).and(point.on(GROUND)).is_some());
         let slides = mechanism.slides.iter().filter(|slide| joins(slide.link, slide.on));
         let keys = match pair {
@@ -91,26 +93,34 @@ impl Drive {
             }
         }
     }
-
-    /// The pair as the scene names it.
-    pub fn pair_id(&self) -> PairId {
-        match self.pair {
-            InputPair::Pin(point) => PairId::Pin(point),
-            InputPair::Slide(slide) => PairId::Slide(slide),
-        }
-    }
 }
 
 /// The text of a scene whose input is this one, from the coordinate at which it is now (rad, or m): of a turning one over a turn, of a
-/// sliding one by 20 % more. Positions and direction stay; further inputs and laws over time go.
+/// sliding one by 20 % more. Positions and direction stay; further inputs and laws over time go. Where another mode would be taken,
+/// the places of pins are given in `[assembly]`. `sketch` is of this scene.
 ///
 /// # Errors
 ///
 /// What is wrong with the text, in the reader's words.
-pub fn drive(text: &str, mechanism: &Mechanism, drive: &Drive, present: f64) -> Result<String, Text> {
+pub fn drive(text: &str, sketch: &Sketch, drive: &Drive, present: f64) -> Result<String, Text> {
+    let text = driven(text, sketch, drive, present)?;
+    let Ok(reading) = assur_scene::reading("", &text) else { return Ok(text) };
+    let (after, size) = (crate::sketch(&reading.mechanism), sketch.size());
+    let pins = sketch.mechanism.points.iter().filter(|point| point.is_pin() && point.on(GROUND).is_none());
+    let places = pins.filter_map(|point| Some((&point.name, sketch.place(&point.name)?)));
+    let elsewhere =
+        |(name, at): &(&Name, [f64; 2])| after.place(name).is_none_or(|now| distance(now, *at) > SAME * size);
+    places.filter(elsewhere).try_fold(text, |text, (name, at)| {
+        let at = at.map(|part| millimeters(rounded(part, step_of(size))));
+        set(&text, &Key::of("assembly").at(name), &format!("[{}, {}]", at[0], at[1]))
+    })
+}
+
+/// The text with another input.
+fn driven(text: &str, sketch: &Sketch, drive: &Drive, present: f64) -> Result<String, Text> {
     let input = Key::of("input");
     let mut text = text.to_owned();
-    if mechanism.input.is_list {
+    if sketch.mechanism.input.is_list {
         text = remove(&text, &input);
     }
     let mut keys: Vec<(&str, String)> = drive.keys.iter().map(|(key, name)| (*key, quoted(name))).collect();

@@ -45,7 +45,9 @@ impl Frame {
             _ => 0.0,
         };
         let pose = Pose { at: origin, angle };
-        let local = |(name, place): (String, [f64; 2])| (name, pose.local(place).map(|part| rounded(part, plan.step)));
+        let local = |(name, place): (String, [f64; 2])| {
+            (name, pose.local(place).map(|part| rounded(part, plan.step)))
+        };
         Self { pose, points: places.into_iter().map(local).collect() }
     }
 }

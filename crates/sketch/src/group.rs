@@ -6,9 +6,10 @@ use assur_words::{Text, text};
 use crate::frame::Frame;
 use crate::layout::layouts;
 use crate::naming::Taken;
-use crate::number::step_of;
-use crate::reach::fit;
+use crate::number::{FINEST, step_of};
+use crate::reach::{BEST, Quality, quality};
 use crate::shape::{Joint, Outer, Shape};
+use crate::sketch::size_of;
 use crate::tables::tables;
 use crate::{Added, Addition, Fit, Names, Sketch, Target};
 
@@ -32,6 +33,8 @@ pub(crate) struct Plan<'a> {
     pub(crate) ends: [[f64; 2]; 2],
     /// The size of the mechanism, m.
     pub(crate) size: f64,
+    /// The usual length of a rod to a slide, m.
+    pub(crate) rod: f64,
     /// To multiples of this numbers are rounded, m.
     pub(crate) step: f64,
 }
@@ -50,23 +53,36 @@ pub fn add(
     targets: &[Target],
     names: &Names,
 ) -> Result<Added, Text> {
-    let plan = Plan::of((text, sketch), addition, targets, names)?;
-    let joints: Vec<Joint> = plan.outer.iter().map(|outer| outer.joint).collect();
-    let mut best: Option<Added> = None;
-    for joints in layouts(&plan.shape, &joints, plan.size) {
-        let frames = Frame::all(&plan, &joints);
-        let tables = tables(&plan, &joints, &frames);
-        let scene = assur_draft::append(text, &tables.toml)?;
-        let fit = fit(&scene, &frames, &plan);
-        if best.as_ref().is_none_or(|best| fit > best.fit) {
-            let (links, points) = (plan.links.clone(), plan.points.clone());
-            best = Some(Added { text: scene, links, points, slides: tables.slides, fields: tables.fields, fit });
-        }
-        if fit == Fit::Everywhere {
+    let mut plan = Plan::of((text, sketch), addition, targets, names)?;
+    let mut best: Option<(Quality, Added)> = None;
+    for step in [plan.step, FINEST] {
+        plan.step = step;
+        try_all(text, &plan, &mut best)?;
+        if best.as_ref().is_some_and(|(quality, _)| quality.0 > Fit::Nowhere) {
             break;
         }
     }
-    best.ok_or_else(Text::default)
+    best.map(|(_, added)| added).ok_or_else(Text::default)
+}
+
+/// Adds by each arrangement until one is best of all.
+fn try_all(text: &str, plan: &Plan<'_>, best: &mut Option<(Quality, Added)>) -> Result<(), Text> {
+    let joints: Vec<Joint> = plan.outer.iter().map(|outer| outer.joint).collect();
+    for joints in layouts(&plan.shape, &joints, plan.size, plan.rod) {
+        let frames = Frame::all(plan, &joints);
+        let tables = tables(plan, &joints, &frames);
+        let scene = assur_draft::append(text, &tables.toml)?;
+        let quality = quality(&scene, &frames, plan);
+        if best.as_ref().is_none_or(|(best, _)| quality > *best) {
+            let (links, points, fit) = (plan.links.clone(), plan.points.clone(), quality.0);
+            let (slides, fields) = (tables.slides, tables.fields);
+            *best = Some((quality, Added { text: scene, links, points, slides, fields, fit }));
+        }
+        if quality == BEST {
+            break;
+        }
+    }
+    Ok(())
 }
 
 impl<'a> Plan<'a> {
@@ -82,11 +98,16 @@ impl<'a> Plan<'a> {
         if !is_free && targets.len() != sorts.len() {
             return Err(text!("sketch-targets", needed = sorts.len(), given = targets.len()));
         }
-        let size = sketch.size();
-        let step = step_of(size);
+        let step = step_of(sketch.size());
         let slides = shape.bonds[shape.inner..].iter().map(|bond| bond.slides);
-        let outer = (1..).zip(targets).zip(slides).map(|(target, slides)| Outer::of(sketch, target, slides, step));
+        let outer =
+            (1..).zip(targets).zip(slides).map(|(target, slides)| Outer::of(sketch, target, slides, step));
         let outer: Vec<Outer> = outer.collect::<Result<_, Text>>()?;
+        let joints = outer.iter().map(|outer| outer.joint.place());
+        let size = size_of(sketch.points().map(|(_, at)| at).chain(joints));
+        // A rod on a crank alone must be longer than the crank.
+        let is_crank = sketch.mechanism.links.len() <= 2;
+        let rod = sketch.size() * if is_crank { 1.6 } else { 0.7 };
         refuse_same_pins(&shape, &outer)?;
         let mut taken = Taken::of(&sketch.mechanism);
         let links = taken.links(&shape, names)?;
@@ -97,7 +118,8 @@ impl<'a> Plan<'a> {
         };
         let mut pins = Vec::with_capacity(shape.bonds.len());
         for (index, bond) in shape.bonds.iter().enumerate() {
-            let known = index.checked_sub(shape.inner).and_then(|outer_index| outer[outer_index].point.clone());
+            let known =
+                index.checked_sub(shape.inner).and_then(|outer_index| outer[outer_index].point.clone());
             pins.push(match known {
                 _ if bond.slides => String::new(),
                 Some(known) => known,
@@ -118,14 +140,15 @@ impl<'a> Plan<'a> {
             own.push((link, new()?));
         }
         let ends = ends(sketch, targets, size);
-        Ok(Self { text, sketch, addition, shape, outer, links, pins, points, own, ends, size, step })
+        Ok(Self { text, sketch, addition, shape, outer, links, pins, points, own, ends, size, rod, step })
     }
 }
 
 /// One link can't have a point twice.
 fn refuse_same_pins(shape: &Shape, outer: &[Outer]) -> Result<(), Text> {
     for link in 0..shape.links {
-        let pins = shape.pins(link).filter_map(|bond| outer.get(bond.checked_sub(shape.inner)?)?.point.as_ref());
+        let pins =
+            shape.pins(link).filter_map(|bond| outer.get(bond.checked_sub(shape.inner)?)?.point.as_ref());
         let pins: Vec<&String> = pins.collect();
         if let Some(twice) = pins.iter().enumerate().find(|(index, pin)| pins[..*index].contains(pin)) {
             return Err(text!("sketch-same-point", name = crate::shape::quoted(twice.1)));

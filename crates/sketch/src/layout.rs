@@ -28,8 +28,8 @@ struct Trial {
 }
 
 /// Arrangements of the inner and outer pairs, those first that are to be tried first.
-pub(crate) fn layouts(shape: &Shape, outer: &[Joint], size: f64) -> Vec<Vec<Joint>> {
-    let scale = Scale::of(outer, size);
+pub(crate) fn layouts(shape: &Shape, outer: &[Joint], size: f64, rod: f64) -> Vec<Vec<Joint>> {
+    let scale = Scale::of(outer, size, rod);
     let stretched = [1.0, 1.5, 2.2].map(|stretch| Trial { stretch, turn: 0.0 });
     let turned = (1..12).flat_map(|part| {
         [1.0, 1.5, 0.7].map(|stretch| Trial { stretch, turn: PI + TAU * f64::from(part) / 12.0 })
@@ -49,19 +49,17 @@ struct Scale {
     /// Their distance from it, m.
     reach: f64,
     size: f64,
+    /// The usual length of a rod to a slide, m.
+    rod: f64,
 }
 
 impl Scale {
-    fn of(outer: &[Joint], size: f64) -> Self {
-        let places = || {
-            outer.iter().map(|joint| match joint {
-                Joint::Pin(place) | Joint::Guide((place, _)) => *place,
-            })
-        };
+    fn of(outer: &[Joint], size: f64, rod: f64) -> Self {
+        let places = || outer.iter().map(|joint| joint.place());
         let count = outer.len().max(1) as f64;
         let center = scaled(1.0 / count, places().fold([0.0; 2], plus));
         let reach = places().map(|place| distance(place, center)).sum::<f64>() / count;
-        Self { center, reach: reach.max(0.4 * size), size }
+        Self { center, reach: reach.max(0.4 * size), size, rod }
     }
 
     fn arranged(&self, shape: &Shape, outer: &[Joint], trial: Trial) -> Vec<Joint> {
@@ -110,26 +108,27 @@ impl Scale {
         plus(scaled(0.5, plus(one, other)), up)
     }
 
-    /// On the way from an outer pin to the middle, each pin beside the others.
+    /// On the way from an outer pin to the middle, each pin beside the others, without symmetry: symmetric groups are often singular.
     fn leg(&self, shape: &Shape, bond: usize, from: [f64; 2], Trial { stretch, turn }: Trial) -> [f64; 2] {
         let middle = plus(self.center, [0.0, 0.6 * stretch * self.reach]);
         let base = plus(from, scaled(0.6, minus(middle, from)));
-        let beside = FRAC_PI_2 + turn + TAU * bond as f64 / shape.inner as f64;
-        plus(base, scaled(0.4 * stretch * self.reach, direction(beside)))
+        let part = bond as f64 / shape.inner as f64;
+        let beside = FRAC_PI_2 + turn + TAU * part * (1.0 - 0.2 * part);
+        plus(base, scaled((0.3 + 0.25 * part) * stretch * self.reach, direction(beside)))
     }
 
     /// On a line, a rod away from a place: where the line was given, if that is far enough.
     fn along(&self, line: Line, from: [f64; 2], Trial { stretch, turn }: Trial) -> [f64; 2] {
         let is_first = turn == 0.0 && stretch <= 1.0;
-        if is_first && distance(line.0, from) >= 0.8 * self.size {
+        if is_first && distance(line.0, from) >= self.rod {
             return line.0;
         }
         let foot = foot(line, from);
         let height = distance(foot, from);
-        let rod = stretch * self.size.max(1.5 * height).max(distance(line.0, from));
-        let side = way((foot, line.1), line.0);
-        // Half of the turned trials go the other way.
-        let side = if side < -1e-9 { -1.0 } else { 1.0 } * if turn == 0.0 || turn > TAU { 1.0 } else { -1.0 };
+        let rod = stretch * self.rod.max(1.5 * height);
+        // To the side where the line was given, if that is far; half of the turned trials go the other way.
+        let is_behind = way((foot, line.1), line.0) < -self.rod;
+        let side = if is_behind == (turn == 0.0 || turn > TAU) { -1.0 } else { 1.0 };
         plus(foot, scaled(side * ((rod - height) * (rod + height)).sqrt(), direction(line.1)))
     }
 
@@ -138,10 +137,12 @@ impl Scale {
         let Bond { link, on, .. } = shape.bonds[bond];
         let on = on.unwrap_or(link);
         let turn = if trial.turn == 0.0 { 0.0 } else { trial.turn * (bond + 1) as f64 };
-        let first = |link: usize| shape.pins(link).find_map(|pin| match joints[pin] {
-            Some(Joint::Pin(place)) => Some(place),
-            _ => None,
-        });
+        let first = |link: usize| {
+            shape.pins(link).find_map(|pin| match joints[pin] {
+                Some(Joint::Pin(place)) => Some(place),
+                _ => None,
+            })
+        };
         match (first(link), first(on)) {
             (Some(own), Some(other)) if distance(own, other) > 1e-3 * self.size => {
                 let angle = angle_of(minus(own, other));
@@ -192,9 +193,7 @@ pub(crate) fn meet(one: Line, other: Line) -> Option<[f64; 2]> {
 /// How well an arrangement determines the links, from 0 to 1: its determinant, less where pins of a link are close to each other or
 /// far away.
 fn score(shape: &Shape, joints: &[Joint], size: f64) -> f64 {
-    let place = |bond: usize| match joints[bond] {
-        Joint::Pin(place) | Joint::Guide((place, _)) => place,
-    };
+    let place = |bond: usize| joints[bond].place();
     let mut fits = 1.0_f64;
     for link in 0..shape.links {
         let pins: Vec<_> = shape.pins(link).map(place).collect();
@@ -220,12 +219,15 @@ fn score(shape: &Shape, joints: &[Joint], size: f64) -> f64 {
         let [at_a, at_b] = [a, b].map(|body| minus(place(id), bodies[body].origin()));
         let geometry = match joints[id] {
             Joint::Pin(_) => PairGeometry::Pin { at_a, at_b },
-            Joint::Guide((_, angle)) => PairGeometry::Slide { point: at_a, through: at_b, angle, tilt: -angle },
+            Joint::Guide((_, angle)) => {
+                PairGeometry::Slide { point: at_a, through: at_b, angle, tilt: -angle }
+            }
         };
         Pair { id, a, b, geometry }
     };
     let mut inner: Vec<_> = shape.bonds.iter().enumerate().map(pair).collect();
     let outer = inner.split_off(shape.inner);
-    let frame = GroupFrame { links: (1..=shape.links).collect(), inner, outer, driven: Vec::new(), scale: size };
+    let frame =
+        GroupFrame { links: (1..=shape.links).collect(), inner, outer, driven: Vec::new(), scale: size };
     fits.clamp(0.0, 1.0) * health_generally(&frame, &bodies)
 }

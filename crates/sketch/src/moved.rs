@@ -7,10 +7,10 @@ use assur_scene::edit::ParsedText;
 use assur_scene::{Dimension, reading};
 use assur_words::{Text, text};
 
-use crate::number::{like, place_like, point_key, written};
-use crate::pose::{Pose, angle_of, distance, off, reduced, way};
-use crate::shape::quoted;
 use crate::Sketch;
+use crate::number::{like, place_like, point_key, written};
+use crate::pose::{Pose, angle_of, distance, is_origin, off, reduced, way};
+use crate::shape::quoted;
 
 /// A point is where it was put if it is not farther from there, m: what is written is rounded to less.
 const THERE: f64 = 1e-5;
@@ -118,7 +118,10 @@ impl Change<'_> {
     fn on_link(&self, link: LinkId, stays: bool, edits: &mut Vec<(Key, String)>) -> Result<(), Text> {
         let pose = pose_of(self.sketch, link)?;
         let points = self.sketch.mechanism.points.iter().enumerate();
-        let others: Vec<_> = points.filter(|(id, _)| *id != self.point).filter_map(|(id, point)| Some((id, point.on(link)?))).collect();
+        let others: Vec<_> = points
+            .filter(|(id, _)| *id != self.point)
+            .filter_map(|(id, point)| Some((id, point.on(link)?)))
+            .collect();
         match others[..] {
             [] if !stays => self.with_stone(link, edits),
             [other] if self.is_bar(link, other) => self.as_bar(link, pose, other, edits),
@@ -149,23 +152,33 @@ impl Change<'_> {
     fn is_bar(&self, link: LinkId, (other, at): (PointId, [f64; 2])) -> bool {
         let mechanism = &self.sketch.mechanism;
         let own = mechanism.place_in(self.point, link).unwrap_or_default();
-        let end = if at == [0.0; 2] { self.point } else { other };
-        let is_length = (own == [0.0; 2]) != (at == [0.0; 2]) && written(self.text, &self.key(link, end)).len() == 1;
+        let end = if is_origin(at) { self.point } else { other };
+        let is_length =
+            is_origin(own) != is_origin(at) && written(self.text, &self.key(link, end)).len() == 1;
         let drives = |driver: &Driver| driver.link == link || driver.on == link;
         let follows = mechanism.input.sole().is_some() || !mechanism.input.drivers.iter().any(drives);
         is_length && follows && self.slides(link).next().is_none()
     }
 
     /// A link of two points with another length, which turns.
-    fn as_bar(&self, link: LinkId, pose: Pose, (other, at): (PointId, [f64; 2]), edits: &mut Vec<(Key, String)>) {
-        let is_end = at == [0.0; 2];
+    fn as_bar(
+        &self,
+        link: LinkId,
+        pose: Pose,
+        (other, at): (PointId, [f64; 2]),
+        edits: &mut Vec<(Key, String)>,
+    ) {
+        let is_end = is_origin(at);
         let other_place = pose.point(at);
         let [start, end] = if is_end { [other_place, self.to] } else { [self.to, other_place] };
         let own = self.sketch.mechanism.place_in(self.point, link).unwrap_or_default();
         // A negative number: the x axis points away from the end.
         let sign = if own[0] + at[0] < 0.0 { -1.0 } else { 1.0 };
         let key = self.key(link, if is_end { self.point } else { other });
-        edits.push((key.clone(), like(&written(self.text, &key), sign * distance(start, end), Dimension::Length)));
+        edits.push((
+            key.clone(),
+            like(&written(self.text, &key), sign * distance(start, end), Dimension::Length),
+        ));
         let along = minus(end, start).map(|part| sign * part);
         let turned = reduced(angle_of(along) - pose.angle);
         let Some(driver) = self.sketch.mechanism.input.sole() else { return };
@@ -209,7 +222,9 @@ impl Change<'_> {
             let (key, own) =
                 if slide.link == link { ("point", slide.point) } else { ("through", slide.through) };
             let key = key_of(slide).at(key);
-            let is_name = parsed.find(&key).is_ok_and(|found| found.iter().any(|place| place.text.as_deref() == Some(name.as_str())));
+            let is_name = parsed
+                .find(&key)
+                .is_ok_and(|found| found.iter().any(|place| place.text.as_deref() == Some(name.as_str())));
             // Without a key the first point of the link is on the line.
             let is_first = slide.link == link && mechanism.place_in(self.point, link) == Some(own);
             let is_default = is_first && written(self.text, &key).is_empty();

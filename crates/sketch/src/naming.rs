@@ -20,7 +20,12 @@ impl Taken {
     pub(crate) fn of(mechanism: &Mechanism) -> Self {
         let slides = mechanism.slides.iter().map(|slide| slide.name.to_string());
         Self {
-            links: mechanism.links.iter().map(|link| link.name.to_string()).chain(["moment".to_owned()]).collect(),
+            links: mechanism
+                .links
+                .iter()
+                .map(|link| link.name.to_string())
+                .chain(["moment".to_owned()])
+                .collect(),
             points: mechanism.points.iter().map(|point| point.name.to_string()).chain(slides).collect(),
             next: mechanism.links.len(),
         }
@@ -31,7 +36,8 @@ impl Taken {
         let first = self.next;
         let name = |link: usize| {
             if let Some(given) = given(&names.links, link) {
-                return take(&mut self.links, given).ok_or_else(|| text!("sketch-link-taken", name = quoted(given)));
+                return take(&mut self.links, given)
+                    .ok_or_else(|| text!("sketch-link-taken", name = quoted(given)));
             }
             let sort = match (shape.pins(link).count(), shape.is_slider(link)) {
                 (1, true) => "stone",
@@ -47,7 +53,8 @@ impl Taken {
     /// The name of a new point: the next free letter, then A1 and so on.
     pub(crate) fn point(&mut self, names: &Names, index: usize) -> Result<String, Text> {
         if let Some(given) = given(&names.points, index) {
-            return take(&mut self.points, given).ok_or_else(|| text!("sketch-point-taken", name = quoted(given)));
+            return take(&mut self.points, given)
+                .ok_or_else(|| text!("sketch-point-taken", name = quoted(given)));
         }
         let letters = || ('A'..='Z').map(String::from);
         let numbered = (1..).flat_map(|number| letters().map(move |letter| format!("{letter}{number}")));

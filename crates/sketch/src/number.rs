@@ -7,7 +7,7 @@ use assur_scene::edit::{ParsedText, TextPlace, bare, decimal, split};
 use assur_scene::{Dimension, Unit};
 
 /// Parts of a meter to which lengths are rounded that take the place of others: 0.001 mm.
-const FINEST: f64 = 1e-6;
+pub(crate) const FINEST: f64 = 1e-6;
 
 /// The step of round lengths, m: 1 mm, of a mechanism smaller than 50 mm 0.1 mm, smaller than 5 mm 0.01 mm, and so on.
 pub(crate) fn step_of(size: f64) -> f64 {
@@ -103,7 +103,11 @@ pub(crate) fn place_like(old: &[Written], [x, y]: [f64; 2], single: bool) -> Str
 /// A name as a key of TOML, in quotes where it needs them.
 pub(crate) fn key_of(name: &str) -> String {
     let is_bare = |letter: char| letter.is_ascii_alphanumeric() || matches!(letter, '_' | '-');
-    if !name.is_empty() && name.chars().all(is_bare) { name.to_owned() } else { assur_scene::edit::quoted(name) }
+    if !name.is_empty() && name.chars().all(is_bare) {
+        name.to_owned()
+    } else {
+        assur_scene::edit::quoted(name)
+    }
 }
 
 /// The key of a point of a link, the ground included.

@@ -66,6 +66,11 @@ pub(crate) fn distance(one: [f64; 2], other: [f64; 2]) -> f64 {
     assur_group::plane::length(minus(one, other))
 }
 
+/// Whether a point is the origin of its frame.
+pub(crate) fn is_origin(own: [f64; 2]) -> bool {
+    own.iter().all(|part| *part == 0.0)
+}
+
 /// An angle between -pi and pi, rad.
 pub(crate) fn reduced(angle: f64) -> f64 {
     angle - std::f64::consts::TAU * (angle / std::f64::consts::TAU).round()

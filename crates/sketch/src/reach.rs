@@ -1,7 +1,7 @@
 //! In which positions a mechanism can be assembled.
 
 use assur_kinematics::Linkage;
-use assur_mechanism::{Input, Mechanism};
+use assur_mechanism::Input;
 
 use crate::frame::Frame;
 use crate::group::Plan;
@@ -10,11 +10,17 @@ use crate::{Fit, sketch};
 
 /// A link is where it was drawn if it differs by less than this, in parts of the size and in rad: rounding moves it less, and other modes
 /// are farther.
-const SAME: f64 = 0.15;
+pub(crate) const SAME: f64 = 0.15;
+
+/// How far a mechanism can be assembled, and whether no modes meet in its motion.
+pub(crate) type Quality = (Fit, bool);
+
+/// The best quality.
+pub(crate) const BEST: Quality = (Fit::Everywhere, true);
 
 /// Whether the links of a scene are as they were drawn, and whether the mechanism can be assembled in all positions.
-pub(crate) fn fit(scene: &str, frames: &[Frame], plan: &Plan<'_>) -> Fit {
-    let Ok(reading) = assur_scene::reading("", scene) else { return Fit::Nowhere };
+pub(crate) fn quality(scene: &str, frames: &[Frame], plan: &Plan<'_>) -> Quality {
+    let Ok(reading) = assur_scene::reading("", scene) else { return (Fit::Nowhere, false) };
     let found = sketch(&reading.mechanism);
     let is_drawn = plan.links.iter().zip(frames).all(|(link, frame)| {
         let pose = found.pose(link);
@@ -25,17 +31,13 @@ pub(crate) fn fit(scene: &str, frames: &[Frame], plan: &Plan<'_>) -> Fit {
     });
     let same_position = found.coordinate.to_bits() == plan.sketch.coordinate.to_bits();
     if !(is_drawn && same_position) {
-        Fit::Nowhere
-    } else if found.is_assembled() && everywhere(reading.mechanism) {
-        Fit::Everywhere
-    } else {
-        Fit::Here
+        return (Fit::Nowhere, false);
     }
-}
-
-/// Whether a mechanism can be assembled in all positions.
-fn everywhere(mechanism: Mechanism) -> bool {
-    Linkage::compile(mechanism).is_ok_and(|linkage| reaches_all(&linkage))
+    let linkage = found.is_assembled().then(|| Linkage::compile(reading.mechanism).ok()).flatten();
+    match linkage.filter(reaches_all) {
+        Some(linkage) => (Fit::Everywhere, linkage.change_points().next().is_none()),
+        None => (Fit::Here, false),
+    }
 }
 
 /// Most positions that are asked whether they are reached.

@@ -79,6 +79,15 @@ pub(crate) enum Joint {
     Guide(Line),
 }
 
+impl Joint {
+    /// The pin, or the point through which the guide goes.
+    pub(crate) fn place(self) -> [f64; 2] {
+        match self {
+            Self::Pin(place) | Self::Guide((place, _)) => place,
+        }
+    }
+}
+
 /// What an outer pair joins.
 #[derive(Debug)]
 pub(crate) struct Outer {
@@ -92,11 +101,17 @@ pub(crate) struct Outer {
 
 impl Outer {
     /// What a target is in the plane; its numbers are rounded as they are written.
-    pub(crate) fn of(sketch: &Sketch, (number, target): (usize, &Target), slides: bool, step: f64) -> Result<Self, Text> {
+    pub(crate) fn of(
+        sketch: &Sketch,
+        (number, target): (usize, &Target),
+        slides: bool,
+        step: f64,
+    ) -> Result<Self, Text> {
         let mechanism = &sketch.mechanism;
         match target {
             Target::Point(point) if !slides => {
-                let place = sketch.place(point).ok_or_else(|| text!("sketch-no-place", name = quoted(point)))?;
+                let place =
+                    sketch.place(point).ok_or_else(|| text!("sketch-no-place", name = quoted(point)))?;
                 let joint = Joint::Pin(place);
                 Ok(Self { joint, point: Some(point.clone()), link: 0, pose: Pose::GROUND })
             }
@@ -112,7 +127,13 @@ impl Outer {
                 let mut line = (pose.point(own), pose.angle + turn);
                 let named = point.as_ref().map(|point| {
                     let at = mechanism.point(point).and_then(|point| mechanism.place_in(point, link));
-                    at.ok_or_else(|| text!("sketch-not-on-link", name = quoted(point), link = quoted(&mechanism.links[link].name)))
+                    at.ok_or_else(|| {
+                        text!(
+                            "sketch-not-on-link",
+                            name = quoted(point),
+                            link = quoted(&mechanism.links[link].name)
+                        )
+                    })
                 });
                 if let Some(own) = named.transpose()? {
                     line.0 = pose.point(own);

@@ -118,10 +118,11 @@ fn solved(mechanism: &Mechanism) -> Option<(Vec<Option<Pose>>, f64)> {
     loop {
         let faulty = match structure(mechanism, &out) {
             Err(error) => at_fault(mechanism, &error),
-            Ok(structure) => match position(mechanism, structure, out.is_empty()) {
+            Ok(structure) => match position(mechanism, &structure, out.is_empty()) {
                 Ok((bodies, at)) => {
                     let pose = |(link, body): (usize, &Body<f64>)| {
-                        (!out.contains(&link)).then(|| Pose { at: body.origin(), angle: angle_of([body.c, body.s]) })
+                        (!out.contains(&link))
+                            .then(|| Pose { at: body.origin(), angle: angle_of([body.c, body.s]) })
                     };
                     return Some((bodies.iter().enumerate().map(pose).collect(), at));
                 }
@@ -171,17 +172,18 @@ fn at_fault(mechanism: &Mechanism, error: &StructureError) -> Vec<LinkId> {
 /// that has no solution.
 fn position(
     mechanism: &Mechanism,
-    structure: Structure,
+    structure: &Structure,
     any: bool,
 ) -> Result<(Vec<Body<f64>>, f64), Vec<LinkId>> {
     let needed = vec![true; structure.groups.len()];
     let named = |structure: &Structure, group: &Text| {
-        let found = (0..structure.groups.len()).find(|index| structure.group_name(mechanism, *index) == *group);
+        let found =
+            (0..structure.groups.len()).find(|index| structure.group_name(mechanism, *index) == *group);
         found.map(|index| structure.groups[index].frame.links.clone()).unwrap_or_default()
     };
     let compiled = Linkage::compile_for(mechanism.clone(), structure.clone(), &needed);
     let mut linkage = compiled.map_err(|error| match error {
-        CompileError::NoStart { group, .. } | CompileError::Build { group, .. } => named(&structure, &group),
+        CompileError::NoStart { group, .. } | CompileError::Build { group, .. } => named(structure, &group),
         CompileError::Structure(error) => at_fault(mechanism, &error),
     })?;
     let error = match first(&linkage) {

@@ -29,14 +29,15 @@ impl Start {
     /// A crank of 100 mm on a pivot at the origin.
     pub const CRANK: Self = Self::Crank { pivot: [0.0; 2], length: 0.1, angle: 0.0 };
 
-    /// A block that slides by 100 mm along the x axis.
-    pub const SLIDE: Self = Self::Slide { through: [0.0; 2], angle: 0.0, ends: [0.0, 0.1] };
+    /// A block that slides along the x axis, from 50 to 150 mm beside the origin.
+    pub const SLIDE: Self = Self::Slide { through: [0.0; 2], angle: 0.0, ends: [0.05, 0.15] };
 }
 
 /// The text of a scene with an input.
 pub fn start(start: Start) -> String {
     let length = |length: f64| millimeters(rounded(length, 1e-6));
-    let ground = |[x, y]: [f64; 2]| format!("[ground]\npoints = {{ O = [{}, {}] }}\n\n", length(x), length(y));
+    let ground =
+        |[x, y]: [f64; 2]| format!("[ground]\npoints = {{ O = [{}, {}] }}\n\n", length(x), length(y));
     let angle_line = |key: &str, angle: f64| match rounded(angle.to_degrees(), 0.01) {
         0.0 => String::new(),
         _ => format!("{key} = {}\n", degrees(angle)),

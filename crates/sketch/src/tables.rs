@@ -8,7 +8,7 @@ use assur_scene::edit::quoted;
 use crate::frame::{Frame, line};
 use crate::group::Plan;
 use crate::number::{degrees, key_of, millimeters, point_key, rounded, stands};
-use crate::pose::{Line, Pose, foot, off, reduced};
+use crate::pose::{Line, Pose, foot, is_origin, off, reduced};
 use crate::shape::{Bond, Joint};
 
 /// Tables as TOML, and what they have.
@@ -104,8 +104,8 @@ fn slide(plan: &Plan<'_>, (index, bond, line): (usize, &Bond, Line), frames: &[F
     };
     let slide = format!("{name}/{on}");
     let mut table = Table::new(&slide);
-    table.put("link", quoted(name));
-    table.put("on", quoted(on));
+    table.put("link", &quoted(name));
+    table.put("on", &quoted(on));
     let near = 1e-9 * plan.size;
     let inner_point = || {
         let carried = frames.get(bond.on?)?;
@@ -113,7 +113,7 @@ fn slide(plan: &Plan<'_>, (index, bond, line): (usize, &Bond, Line), frames: &[F
         carried.points.iter().find(on_line).map(|(point, _)| point.clone())
     };
     if let Some(point) = outer.map_or_else(inner_point, |outer| outer.point.clone()) {
-        table.put("through", quoted(&point));
+        table.put("through", &quoted(&point));
     } else {
         // The point that the caller gave, or the one next to the origin.
         let through = if outer.is_some() { line.0 } else { foot(line, pose.at) };
@@ -144,14 +144,14 @@ impl Table {
         Self { toml: "[[slide]]\n".to_owned(), key: Key::of("slide").at(slide), fields: Vec::new() }
     }
 
-    fn put(&mut self, key: &str, value: String) {
+    fn put(&mut self, key: &str, value: &str) {
         let _ = writeln!(self.toml, "{key} = {value}");
     }
 
     /// An angle, rad; left out where it is 0.
     fn angle(&mut self, key: &str, angle: f64) {
         if angle.abs() > 1e-9 {
-            self.put(key, degrees(angle));
+            self.put(key, &degrees(angle));
             self.fields.push(self.key.clone().at(key));
         }
     }
@@ -159,8 +159,8 @@ impl Table {
     /// A place in the plane in the frame of a link; left out where it is the origin.
     fn place(&mut self, key: &str, pose: &Pose, place: [f64; 2], step: f64) {
         let at = pose.local(place).map(|part| rounded(part, step));
-        if key != "through" || at != [0.0; 2] {
-            self.put(key, both(at));
+        if key != "through" || !is_origin(at) {
+            self.put(key, &both(at));
             self.fields.extend([0, 1].map(|axis| self.key.clone().at(key).at(axis)));
         }
     }

@@ -2,11 +2,11 @@
 
 use std::collections::BTreeSet;
 
-use assur_fixtures::SCENES;
+use assur_fixtures::{SCENES, scene};
 use assur_scene::reference::{TABLES, ValueKind};
 
 use super::{key, read, reads, shaper};
-use crate::{Choice, Field, Offers, added, made, put, rows, sections, table};
+use crate::{Choice, Field, Offers, added, field, made, put, sections, table};
 
 fn offers() -> Vec<(&'static str, Vec<Choice>)> {
     let words = |words: &[&str]| words.iter().map(|word| Choice::word(*word)).collect();
@@ -14,14 +14,15 @@ fn offers() -> Vec<(&'static str, Vec<Choice>)> {
 }
 
 /// The shipped scenes, and one with a law of its input over time.
-pub(super) fn scenes() -> impl Iterator<Item = String> {
+fn scenes() -> impl Iterator<Item = String> {
     let arm = include_str!("../../../scene/src/tests/arm.toml");
-    let boom = include_str!("../../../scene/src/tests/boom.toml").replace("until = \"3.5 s\"", "until = \"2 s\"");
+    let boom =
+        include_str!("../../../scene/src/tests/boom.toml").replace("until = \"3.5 s\"", "until = \"2 s\"");
     SCENES.iter().map(|(_, text)| (*text).to_owned()).chain([arm.to_owned(), boom])
 }
 
 /// The tables of a scene and the tables in them, with their headers.
-pub(super) fn forms(text: &str, offers: Offers<'_>) -> Vec<(&'static str, crate::Form)> {
+fn forms(text: &str, offers: Offers<'_>) -> Vec<(&'static str, crate::Form)> {
     let mut all = Vec::new();
     for section in sections(text) {
         for instance in section.instances {
@@ -92,7 +93,9 @@ fn every_key_has_a_field_that_takes_a_value() {
         }
     }
     // The tables of the scene as a whole have forms of their own.
-    let tables = all.iter().filter(|name| name.starts_with(' ') && !name.ends_with("title") && !name.ends_with("gravity"));
+    let tables = all
+        .iter()
+        .filter(|name| name.starts_with(' ') && !name.ends_with("title") && !name.ends_with("gravity"));
     let tables: BTreeSet<String> = tables.cloned().collect();
     let wanted: BTreeSet<String> = all.difference(&tables).cloned().collect();
     let unseen: Vec<_> = wanted.difference(&seen).collect();
@@ -100,22 +103,69 @@ fn every_key_has_a_field_that_takes_a_value() {
     assert!(unseen.is_empty() && refused.is_empty(), "no field: {unseen:#?}, no value: {refused:#?}");
 }
 
+/// Every kind of table, added to the shaper or to a scene in which it has a place, reads with the keys that it needs.
 #[test]
-fn every_list_of_tables_takes_one_more() {
-    for section in sections(shaper()) {
-        if section.header == "[[input]]" {
-            assert!(!section.can_add);
-            continue;
-        }
-        let change = added(shaper(), section.header);
-        if !section.header.starts_with("[[") {
-            continue;
-        }
-        assert!(section.can_add);
-        assert_eq!(change.at.to_string(), format!("{}[{}]", change.at.of_list(), section.instances.len()));
+fn every_table_can_be_added() {
+    let still = shaper().replace("[motion]\nspeed = \"60 rpm\"", "");
+    let steady = scene("shaper-drive");
+    let without_drive = &steady[..steady.find("[drive]").unwrap()];
+    let without_input = shaper().replace("[input]\nlink = \"crank\"\npositions = 48", "");
+    let bare = shaper().replace("[assembly]\nD = [0.17, 0.28]", "");
+    for section in sections(shaper())
+        .into_iter()
+        .filter(|section| !["", "[link.NAME]", "[ground]"].contains(&section.header))
+    {
+        let text = match section.header {
+            "[motion]" => &still,
+            "[drive]" => without_drive,
+            "[input]" => &without_input,
+            "[[input]]" => scene("five-bar"),
+            "[assembly]" => &bare,
+            _ => shaper(),
+        };
+        let before = sections(text).into_iter().find(|own| own.header == section.header).unwrap();
+        assert!(before.can_add, "{}", section.header);
+        let change = added(text, section.header);
+        // What is added to a list of inputs may have more inputs than the mechanism needs, which its structure says.
         let text = reads(change.clone());
-        let form = table(&text, &change.at, &[]);
-        assert!(form.fields.iter().any(|field| field.value.is_some()), "{}", section.header);
-        println!("{}", text.lines().filter(|line| !shaper().contains(line)).collect::<Vec<_>>().join("\n"));
+        let name = section.header.trim_matches(['[', ']']);
+        let index = format!("[{}]", before.instances.len());
+        assert_eq!(
+            change.at.to_string(),
+            format!("{name}{}", if section.header.starts_with("[[") { &index } else { "" })
+        );
+        let after = sections(&text).into_iter().find(|own| own.header == section.header).unwrap();
+        assert_eq!(after.instances.len(), before.instances.len() + 1, "{}", section.header);
+        assert!(!table(&text, &change.at, &[]).fields.is_empty());
+    }
+    // A friction goes to a pair that has none, a slide to links that have none between them.
+    let friction = added(shaper(), "[[friction]]");
+    let again = added(&reads(friction.clone()), "[[friction]]");
+    assert_ne!(
+        field(&friction.text, &key("friction[0].pair"), &[]).unwrap().value,
+        field(&reads(again.clone()), &key("friction[1].pair"), &[]).unwrap().value
+    );
+    // Where the scene allows none, the change says why.
+    let drive = added(shaper(), "[drive]");
+    assert!(drive.here.unwrap().message.to_string().contains("[drive] needs a motion"));
+}
+
+/// Whatever a text is cut to, forms are made of it and steps go on.
+#[test]
+fn a_text_in_the_making_has_forms() {
+    for name in ["rolling-press", "shaper-drive", "five-bar"] {
+        let whole = scene(name);
+        for end in (0..whole.len()).filter(|end| end % 97 == 0 && whole.is_char_boundary(*end)) {
+            let text = &whole[..end];
+            let listed: Vec<_> = forms(text, &[]).into_iter().collect();
+            for (_, form) in listed.iter().take(4) {
+                for field in form.fields.iter().take(3) {
+                    put(text, field, "1");
+                    field.opens.iter().for_each(|opening| drop(made(text, &field.key, opening)));
+                }
+            }
+            crate::masses(text);
+            added(text, "[[force]]");
+        }
     }
 }

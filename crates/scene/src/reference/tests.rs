@@ -372,10 +372,17 @@ fn keys_that_exclude_each_other_are_refused_together() {
             scene.insert_str(at, &line);
             // What stands there already can't stand there twice.
             let errors = crate::read("a", &scene).expect_err(&label(&found)).to_string();
-            judged.extend((!errors.contains("not TOML")).then(|| (found.table.header, found.key.name, rival.name)));
+            judged.extend((!errors.contains("not TOML")).then_some((
+                found.table.header,
+                found.key.name,
+                rival.name,
+            )));
         }
     }
-    let wanted: usize = TABLES.iter().flat_map(|table| table.either.iter().flatten().flatten().map(|key| table.rivals(key).len())).sum();
+    let wanted: usize = TABLES
+        .iter()
+        .flat_map(|table| table.either.iter().flatten().flatten().map(|key| table.rivals(key).len()))
+        .sum();
     assert!(judged.len() * 10 >= wanted * 8, "{} of {wanted}: {judged:?}", judged.len());
 }
 

@@ -2,6 +2,7 @@
 
 mod adding;
 mod changing;
+mod placing;
 
 use assur_all as _;
 
@@ -23,7 +24,8 @@ impl Random {
     }
 
     pub(crate) fn pick<'a, T>(&mut self, all: &'a [T]) -> &'a T {
-        &all[(self.unit() * all.len() as f64) as usize]
+        let bits = self.unit().to_bits() >> 8;
+        &all[usize::try_from(bits).unwrap() % all.len()]
     }
 }
 

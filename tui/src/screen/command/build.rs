@@ -160,7 +160,10 @@ pub(super) fn next(state: &mut State, by: isize) {
 }
 
 /// The group of the chosen link is that of the view of the structure as well.
-fn follow(state: &mut State) {
+pub(super) fn follow(state: &mut State) {
+    if state.view != View::Build {
+        return;
+    }
     let (Some(Part::Link(link)), Some(scene)) = (&state.build.chosen, &state.scene) else { return };
     let found = scene.linkage.mechanism.link(link);
     let groups = &scene.linkage.structure.groups;
@@ -314,11 +317,15 @@ fn begun(state: &mut State) {
     let points = mechanism.points.iter().map(|point| Part::Point(point.name.to_string()));
     let links = mechanism.links.iter().skip(1).map(|link| Part::Link(link.name.to_string()));
     let keys = ParsedText::of(state.draft.text()).values().into_iter().map(|value| value.key.of_list());
+    let from = Key::of("input").at("from");
     let mut unique: Vec<Key> = Vec::new();
     for key in keys.filter(|key| key.to_string() != "link.crank.points.O") {
         if !unique.contains(&key) {
             unique.push(key);
         }
+    }
+    if !unique.contains(&from) {
+        unique.insert(unique.len().saturating_sub(1), from);
     }
     let parts = links.chain(points).collect();
     form::open(state, FormSource::Made(parts, unique));
@@ -344,7 +351,7 @@ pub(super) fn take(state: &mut State, kind: PickerKind, taken: &str) {
             let drives = drives(&sketch.mechanism);
             let Some(drive) = taken.parse::<usize>().ok().and_then(|index| drives.get(index)) else { return };
             let present = drive.coordinate(sketch).unwrap_or_default();
-            let text = assur_sketch::drive(state.draft.text(), &sketch.mechanism, drive, present);
+            let text = assur_sketch::drive(state.draft.text(), sketch, drive, present);
             if draft::take(state, text) {
                 form::open(state, FormSource::Table(Key::of("input")));
             }
@@ -363,6 +370,7 @@ pub(super) fn finish(state: &mut State, join: &Join) {
     match added {
         Ok(added) => {
             if draft::take(state, Ok(added.text)) {
+                state.build.chosen = added.links.last().cloned().map(Part::Link);
                 let links = added.links.into_iter().map(Part::Link);
                 let parts = links.chain(added.points.into_iter().map(Part::Point)).collect();
                 form::open(state, FormSource::Made(parts, added.fields));

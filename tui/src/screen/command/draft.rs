@@ -91,7 +91,7 @@ pub(super) fn ask(state: &mut State) {
     if draft.reading == Reading::Runs {
         return;
     }
-    if *draft.text() == draft.shown {
+    if *draft.text() == draft.shown && (scene.is_some() || state.view != View::Build) {
         draft.reading = Reading::Done;
         return;
     }

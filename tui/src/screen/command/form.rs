@@ -17,6 +17,8 @@ use crate::screen::state::{
 
 /// Before the number of a table that may stand in a field, in the name of a choice.
 const OPENING: &str = "table:";
+/// The name of the choice of rows in place of a number.
+const ROWS: &str = "rows";
 /// Before the header of a table that is added, in the name of a choice.
 const ADD: &str = "+";
 /// The name of the choice of all masses.
@@ -76,7 +78,7 @@ pub(super) fn renew(state: &mut State) {
     let text = Arc::clone(state.draft.text());
     let Some(form) = state.build.form() else { return };
     let name = |part: &Part| Row {
-        label: name_of(part),
+        label: state.told(sort_of(part)),
         value: name_of(part),
         stands: true,
         kind: RowKind::Name(part.clone()),
@@ -97,22 +99,16 @@ pub(super) fn renew(state: &mut State) {
         }
         FormSource::Rows(at) => {
             let found = rows(&text, at);
-            let heads = found
-                .as_ref()
-                .map(|rows| rows.columns.clone().map(|column| (state.told(column.what), column.unit)));
             let rows = found.map(|rows| rows.rows).unwrap_or_default().into_iter().enumerate();
             let cells =
                 rows.flat_map(|(index, cells)| cells.into_iter().enumerate().map(move |cell| (index, cell)));
-            let label = |index: usize, column: usize| {
-                let head = heads.as_ref().map(|heads| heads[column].clone()).unwrap_or_default();
-                format!("{} {}", index + 1, head.0)
-            };
+            let label = |index: usize, column: usize| format!("{} {}", index + 1, ["x", "y"][column]);
             let rows = cells.map(|(index, (column, field))| row_of(state, label(index, column), field));
             (text!("build-rows", key = at), rows.collect())
         }
         FormSource::Made(parts, keys) => {
             let fields = keys.iter().filter_map(|key| field(&text, key, &[]));
-            let fields = fields.map(|field| row_of(state, field.key.to_string(), field));
+            let fields = fields.map(|field| row_of(state, label_of(state, &field.key), field));
             (text!("build-made"), parts.iter().map(name).chain(fields).collect())
         }
     };
@@ -149,6 +145,28 @@ fn row_of(state: &State, label: String, field: Field) -> Row {
     Row { label, value, stands, kind: RowKind::Value(Box::new(field)) }
 }
 
+/// What a part is: a link, a point, a slide.
+fn sort_of(part: &Part) -> Text {
+    text!(match part {
+        Part::Link(_) => "build-a-link",
+        Part::Point(_) => "build-a-point",
+        Part::Slide(_) => "build-a-slide",
+        Part::Load(..) => "build-tables",
+    })
+}
+
+/// The name of a field outside of its table: `B on rod`, `angle of rod/ground`.
+fn label_of(state: &State, key: &SceneKey) -> String {
+    let steps: Vec<&str> = key.steps().iter().filter_map(Step::name).collect();
+    let (of, own) = match steps[..] {
+        ["link", link, "points", own] => (link, own),
+        ["ground", "points", own] => ("ground", own),
+        ["slide", slide, own] => (slide, own),
+        _ => return key.to_string(),
+    };
+    state.told(text!("build-of", own = name(own.to_owned()), of = name(of.to_owned())))
+}
+
 fn name_of(part: &Part) -> String {
     match part {
         Part::Link(name) | Part::Point(name) | Part::Slide(name) => name.clone(),
@@ -168,6 +186,11 @@ pub(super) fn press(state: &mut State, key: Key) {
         }
         KeyCode::Char(' ') if !typing => offer(state),
         KeyCode::Char('u') if key.control => typed(state, |entry| *entry = Entry::default()),
+        KeyCode::Home if end(state) => state.build.form_mut().into_iter().for_each(|form| form.chosen = 0),
+        KeyCode::End if end(state) => {
+            state.build.form_mut().into_iter().for_each(|form| form.chosen = form.rows.len().saturating_sub(1));
+        }
+        KeyCode::Home | KeyCode::End => {}
         KeyCode::Insert => insert(state),
         KeyCode::Delete => remove(state),
         _ => typed(state, |entry| {
@@ -185,7 +208,7 @@ pub(super) fn typed(state: &mut State, change: impl FnOnce(&mut Entry)) {
         return;
     }
     change(&mut entry);
-    let words = entry.trim().to_owned();
+    let words = pieces(&entry).next().unwrap_or_default().to_owned();
     form.entry = Some(entry);
     let Some(RowKind::Value(field)) = form.row().map(|row| row.kind.clone()) else { return };
     // A step that has begun with this field is typed on from the text before it.
@@ -271,6 +294,7 @@ fn renamed(state: &mut State, part: &Part, new: &str) {
 
 /// Goes to another field, once what is typed is taken.
 fn leave(state: &mut State, by: isize) {
+    fill(state);
     if !end(state) {
         return;
     }
@@ -279,8 +303,29 @@ fn leave(state: &mut State, by: isize) {
     }
 }
 
+/// What is typed, field by field: `4 kg; O; 0.04` fills three fields.
+fn pieces(entry: &str) -> impl Iterator<Item = &str> {
+    entry.split(';').map(str::trim)
+}
+
+/// Fills the chosen field and those behind it with what is typed for several of them; stops at one that is not taken.
+fn fill(state: &mut State) {
+    let Some(entry) = state.build.form().and_then(|form| form.entry.clone()) else { return };
+    let all: Vec<&str> = pieces(&entry).collect();
+    let Some((last, before)) = all.split_last() else { return };
+    for piece in before {
+        typed(state, |entry| *entry = (*piece).into());
+        if !end(state) {
+            return;
+        }
+        leave(state, 1);
+    }
+    typed(state, |entry| *entry = (*last).into());
+}
+
 /// Enter: the next field; of a table its own form; behind the last field the form is done.
 fn enter(state: &mut State) {
+    fill(state);
     let typing = state.build.form().is_some_and(|form| form.entry.is_some());
     if !end(state) {
         return;
@@ -297,7 +342,8 @@ fn enter(state: &mut State) {
 
 /// The form of what stands in a field: of its table, or of its rows.
 fn within(state: &State, field: &Field) -> Option<FormSource> {
-    if rows(state.draft.text(), &field.key).is_some() {
+    let is_list = field.value.as_ref().is_some_and(|value| value.starts_with('['));
+    if is_list && rows(state.draft.text(), &field.key).is_some() {
         return Some(FormSource::Rows(field.key.clone()));
     }
     field.is_table().then(|| FormSource::Table(field.key.clone()))
@@ -342,7 +388,8 @@ fn offer(state: &mut State) {
         .iter()
         .enumerate()
         .map(|(index, opening)| (format!("{OPENING}{index}"), opening.label.clone()));
-    let all = words.chain(tables).map(|(name, label)| Choice { name, text: state.told(label) });
+    let rows = rows(state.draft.text(), &field.key).map(|_| (ROWS.to_owned(), text!("build-as-rows")));
+    let all = words.chain(tables).chain(rows).map(|(name, label)| Choice { name, text: state.told(label) });
     let all: Vec<Choice> = all.collect();
     if all.is_empty() {
         return state.say(Role::Plain, text!("build-no-choices", values = field.values.clone()));
@@ -358,6 +405,13 @@ pub(super) fn choose(state: &mut State, chosen: &str) {
     let opening =
         chosen.strip_prefix(OPENING).and_then(|index| field.opens.get(index.parse::<usize>().ok()?));
     match opening {
+        None if chosen == ROWS => {
+            let empty = rows(state.draft.text(), &field.key).is_some_and(|rows| rows.rows.is_empty());
+            if empty {
+                let change = inserted(state.draft.text(), &field.key, 0);
+                changed(state, change);
+            }
+        }
         Some(opening) => {
             let change = made(state.draft.text(), &field.key, opening);
             changed(state, change);

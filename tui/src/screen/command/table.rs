@@ -109,7 +109,7 @@ pub(crate) const COMMANDS: &[Command] = &[
     command("do-step-size", Change, "%", &[Values], draft::step),
     command("do-exact-value", Change, "Enter", &[Values], draft::exact),
     command("do-undo", Change, "u", OPEN, draft::undo).only(|s| s.draft.has_steps()[0]),
-    command("do-redo", Change, "C-r", OPEN, draft::redo).only(|s| s.draft.has_steps()[1]),
+    command("do-redo", Change, "C-r", OPEN, draft::redo).only(|s| s.view == Build && s.draft.has_steps()[1]),
     command("do-save", Change, "S", OPEN, draft::save).only(|s| s.draft.is_changed()),
     command("do-add-group", Change, "A", BUILD, build::add),
     command("do-thing", Choose, "Enter", BUILD, build::enter).only(|s| s.build.chosen.is_some()),

@@ -145,7 +145,13 @@ impl Picker {
         let whole = |choice: &&Choice| {
             self.filter.text.split_whitespace().filter(|typed| is_word(typed, &choice.text)).count()
         };
-        let rated = |choice| Some((Reverse((whole(&choice), score(&words, &choice.text)?)), choice));
+        // A row whose own name begins with what is typed comes before all whose texts contain it.
+        let wanted = self.filter.text.trim().to_lowercase();
+        let begins = |choice: &&Choice| {
+            let mut words = choice.name.split(|letter: char| !letter.is_alphanumeric());
+            words.find(|word| !word.is_empty()).is_some_and(|word| word.to_lowercase().starts_with(&wanted))
+        };
+        let rated = |choice| Some((Reverse((begins(&choice), whole(&choice), score(&words, &choice.text)?)), choice));
         let mut found: Vec<_> = self.rows.iter().filter(has_numbers).filter_map(rated).collect();
         found.sort_by_key(|(rate, _)| *rate);
         found.into_iter().map(|(_, choice)| choice).collect()

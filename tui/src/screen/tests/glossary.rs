@@ -100,11 +100,11 @@ fn a_check_a_reaction_and_a_quantity_are_told_first() {
 #[test]
 fn a_number_of_the_scene_is_told_first() {
     let mut state = opened("shaper-friction");
-    let keys: Vec<_> = state.what_if.values.iter().map(|value| value.key.to_string()).collect();
+    let keys: Vec<_> = state.draft.values.iter().map(|value| value.key.to_string()).collect();
     press(&mut state, "e");
     let is_radius = |key: &&String| key.starts_with("friction") && key.ends_with(".radius");
     let key = keys.iter().find(is_radius).unwrap();
-    state.what_if.chosen = keys.iter().position(|own| own == key).unwrap();
+    state.draft.chosen = keys.iter().position(|own| own == key).unwrap();
     let found = first(&mut state, &format!("{key}: "));
     // The dimension with its units, the limit, and that it has no default.
     assert_has(&found, &["length", "mm", "; not negative; needed, of: pin", "friction circle circle about a pin"]);

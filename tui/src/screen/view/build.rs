@@ -5,6 +5,7 @@ use assur_figure::cells::point_at;
 use assur_figure::{Axis, Bounds, Figure, Frame, Ink, Item, Panel, Scale, Sign, Stroke};
 use assur_mechanism::GROUND;
 use assur_picture::mechanism::{self as picture};
+use assur_picture::{Arrows, Look};
 use assur_report::topic::About;
 use assur_sketch::{Addition, Sketch, Target};
 use assur_words::{Text, joined, list, name, number, quantity, text, unit};
@@ -69,6 +70,7 @@ fn figure(state: &State) -> Figure {
     };
     let shown =
         state.scene.as_ref().filter(|_| state.draft.shown == *state.draft.text() && read.readable.is_some());
+    let look = Look { arrows: Arrows::None, ..state.pictured() };
     let mut figure = match shown {
         Some(scene) if state.mode_of(state.chosen.group).is_some() => {
             picture::structure(scene, &state.pictured())
@@ -78,7 +80,7 @@ fn figure(state: &State) -> Figure {
                 .iter()
                 .filter_map(|link| scene.linkage.mechanism.link(sketch.mechanism.links[*link].name.as_str()))
                 .collect();
-            picture::figure(scene, &state.pictured(), &marked)
+            picture::figure(scene, &look, &marked)
         }
         None => Figure::of(Panel::plane(bounds(sketch), Scale::of("l", "m"), Vec::new())),
     };
@@ -163,7 +165,7 @@ fn marks(state: &State, sketch: &Sketch) -> Vec<Item> {
         });
         let places: Vec<_> = places.collect();
         items.extend(places.into_iter().map(|at| Item::sign(at, Sign::Ring, Ink::Marked)));
-    } else if let Some(part) = state.build.lit() {
+    } else if let Some(part) = state.build.lit().filter(|part| !matches!(part, Part::Link(_))) {
         mark(&part, Ink::Marked);
     }
     items
@@ -249,7 +251,9 @@ fn state_of(state: &State, width: usize) -> Vec<(Role, String)> {
         _ => {}
     }
     let (first, more) = (read.faults.first(), read.faults.len());
-    if let Some(fault) = first {
+    if read.text.trim().is_empty() {
+        tell(Role::Key, text!("build-begin", key = name(state.keys.first("add-group"))));
+    } else if let Some(fault) = first {
         let key = name(state.keys.first("next-fault"));
         tell(Role::Bad, fault.text.clone());
         tell(Role::Dim, text!("build-faults", count = more, key));
@@ -356,6 +360,11 @@ fn of_field(state: &State, form: &FormTask, width: usize) -> Vec<(Role, String)>
     } else if let Some(field) = form.field() {
         tell(Role::Dim, field.about.clone());
         tell(Role::Dim, text!("build-field-values", values = field.values.clone()));
+        if matches!(form.source, FormSource::Rows(_)) {
+            tell(Role::Dim, text!("build-row-keys"));
+        }
+    } else if let FormSource::Rows(_) = form.source {
+        tell(Role::Dim, text!("build-row-keys"));
     } else {
         tell(Role::Dim, text!("build-field-name"));
     }

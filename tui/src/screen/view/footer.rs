@@ -47,7 +47,9 @@ pub(super) fn draw(pen: &mut Pen<'_>, area: Rect) {
         pen.tell(area, 1, 0, text, Role::Dim);
     }
     if let Some(hint) = building(state).filter(|_| state.message.is_none()) {
-        return pen.tell(area, 1, 0, hint, Role::Plain);
+        let lines = wrapped(&state.told(hint), usize::from(area.width.saturating_sub(2)).max(1));
+        let lines: Vec<_> = lines.into_iter().take(area.height.into()).map(|line| (Role::Plain, line)).collect();
+        return pen.put_lines(area, 1, &lines);
     }
     match (&state.help, &state.picker, &state.message) {
         // The line that is written stands below.

@@ -16,6 +16,10 @@ const DIGITS: usize = 6;
 
 pub(super) fn draw(pen: &mut Pen<'_>, area: Rect) {
     let state = pen.state;
+    if state.view == View::Build {
+        draw_built(pen, area);
+        return draw_tabs(pen, area);
+    }
     let Some(scene) = &state.scene else {
         pen.put(area, 0, 0, concat!("assur ", env!("CARGO_PKG_VERSION")), Role::Header);
         return;
@@ -31,6 +35,18 @@ pub(super) fn draw(pen: &mut Pen<'_>, area: Rect) {
     };
     pen.put(area, column, 0, &text, role);
     draw_tabs(pen, area);
+}
+
+/// The file that is built, marked where it has changes that no file has, and what it has become.
+fn draw_built(pen: &mut Pen<'_>, area: Rect) {
+    let state = pen.state;
+    let mark = if state.draft.is_kept() { "" } else { "* " };
+    let file = format!("{mark}{}", state.draft.source.short_name());
+    pen.put(area, 1, 0, &file, Role::Header);
+    if let Some(scene) = &state.scene {
+        let column = short(file.width() + 4);
+        pen.put(area, column, 0, &position(state, scene), Role::Plain);
+    }
 }
 
 fn title(state: &State, scene: &Scene) -> Text {

@@ -2,13 +2,14 @@
 
 use assur_analysis::results::Owner;
 use assur_book::glossary::{self, Entry};
+use assur_draft::Part;
 use assur_group::{GroupPlugin, Pair};
 use assur_mechanism::PairId;
 use assur_scene::reference::key_of;
 use assur_words::{Text, joined, list, name, text};
 
 use crate::explained;
-use crate::screen::state::{Found, Scene, State, View, ViewPart};
+use crate::screen::state::{FormTask, Found, Scene, State, View, ViewPart, words_of};
 
 /// What is told of something: its name, lines of its own, and the words of the field that it is about.
 #[derive(Debug)]
@@ -20,6 +21,9 @@ pub(super) struct Chosen {
 
 /// What is chosen now; `None` where no scene is open.
 pub(super) fn chosen(state: &State) -> Option<Chosen> {
+    if state.view == View::Build {
+        return Some(built(state).unwrap_or_else(|| view(state, View::Build)));
+    }
     let scene = state.scene.as_ref()?;
     if state.values_open()
         && let Some(value) = value(state)
@@ -44,12 +48,31 @@ fn of_view(state: &State, scene: &Scene, view: View) -> Option<Chosen> {
     }
 }
 
+/// While a mechanism is built: the field of the form, the group of the chosen link, or the chosen part.
+fn built(state: &State) -> Option<Chosen> {
+    if let Some(field) = state.build.form().and_then(FormTask::field) {
+        let known = key_of(&field.key)?;
+        let lines = vec![text!(known.about), explained::values(known)];
+        return Some(Chosen { title: Text::from(&field.key), lines, words: glossary::of_key(known.about) });
+    }
+    let part = state.build.lit()?;
+    match (&part, &state.scene) {
+        (Part::Link(link), Some(scene)) => {
+            let link = scene.linkage.mechanism.link(link)?;
+            let groups = &scene.linkage.structure.groups;
+            group(scene, groups.iter().position(|group| group.frame.links.contains(&link))?)
+        }
+        (Part::Slide(_), _) => Some(Chosen { title: words_of(&part), lines: Vec::new(), words: entries(&["word-guide", "word-tilt"]) }),
+        _ => None,
+    }
+}
+
 /// A number of the list of values, as the reference has it.
 fn value(state: &State) -> Option<Chosen> {
-    let index = state.what_if.chosen;
-    let key = &state.what_if.values.get(index)?.key;
+    let index = state.draft.chosen;
+    let key = &state.draft.values.get(index)?.key;
     let known = key_of(key)?;
-    let title = joined(": ", [Text::from(key), name(state.what_if.shown(index))]);
+    let title = joined(": ", [Text::from(key), name(state.draft.shown_value(index))]);
     let lines = vec![text!(known.about), explained::values(known)];
     Some(Chosen { title, lines, words: glossary::of_key(known.about) })
 }
@@ -147,6 +170,7 @@ fn view(state: &State, view: View) -> Chosen {
         (View::Accuracy, _) => &["word-residual", "word-condition"],
         (View::Structure, _) => &["word-formula", "word-group"],
         (View::Working, _) => &["word-kinetostatics", "word-pf1"],
+        (View::Build, _) => &["word-group", "word-mobility", "word-mode", "word-dyad"],
         (View::Values, _) => &[],
         (View::Probe, _) => &["word-coupler-curve"],
     };
