@@ -93,7 +93,9 @@ impl Session {
     pub(crate) fn changed(&self, text: String) -> Result<Self, Text> {
         let source = self.source.clone();
         let (mechanism, note) = read(&source, &text)?;
-        let Some(linkage) = self.linkage.get().filter(|_| mechanism.has_structure_of(&self.mechanism) && has_names_of(&mechanism, &self.mechanism)) else {
+        let Some(linkage) = self.linkage.get().filter(|_| {
+            mechanism.has_structure_of(&self.mechanism) && has_names_of(&mechanism, &self.mechanism)
+        }) else {
             return Self::read(source, text);
         };
         let varied = Linkage::clone(linkage).varied(mechanism.clone(), &self.all_groups());

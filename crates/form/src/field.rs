@@ -120,7 +120,11 @@ impl Field {
     /// What holds where it is left out, with its unit; empty where that is nothing, or where it is needed.
     pub fn default_shown(&self) -> Text {
         let KeyDefault::Is(value) = self.default else { return Text::default() };
-        if value.parse::<f64>().is_ok() { name(format!("{value} {}", self.unit).trim_end().to_owned()) } else { name(bare(value)) }
+        if value.parse::<f64>().is_ok() {
+            name(format!("{value} {}", self.unit).trim_end().to_owned())
+        } else {
+            name(bare(value))
+        }
     }
 }
 

@@ -17,7 +17,7 @@ use super::{draft, form, join};
 use crate::number::digits;
 use crate::screen::state::{
     Build, Choice, Draft, Faulty, FormSource, Join, Key as CommandKey, MOVES, Picker, PickerKind, PromptKind,
-    Question, Read, Recovered, Role, Source, State, Task, View, place, round,
+    Question, Read, Recovered, Role, Scene, Source, State, Task, View, place, round,
 };
 use crate::screen::view;
 
@@ -311,19 +311,27 @@ pub(super) fn add(state: &mut State) {
     state.picker = Some(Picker::new(PickerKind::Additions, text!("build-add"), rows));
 }
 
+/// Keys of which those of both coordinates of a place are one.
+fn whole(keys: Vec<Key>) -> Vec<Key> {
+    let mut unique: Vec<Key> = Vec::new();
+    for key in keys.into_iter().map(|key| key.of_list()) {
+        if !unique.contains(&key) {
+            unique.push(key);
+        }
+    }
+    unique
+}
+
 /// The form of a new scene: the names and numbers of its input.
 fn begun(state: &mut State) {
     let Some(Sketch { mechanism, .. }) = state.build.sketch() else { return };
     let points = mechanism.points.iter().map(|point| Part::Point(point.name.to_string()));
     let links = mechanism.links.iter().skip(1).map(|link| Part::Link(link.name.to_string()));
-    let keys = ParsedText::of(state.draft.text()).values().into_iter().map(|value| value.key.of_list());
+    let keys = ParsedText::of(state.draft.text()).values().into_iter().map(|value| value.key).collect();
     let from = Key::of("input").at("from");
-    let mut unique: Vec<Key> = Vec::new();
-    for key in keys.filter(|key| key.to_string() != "link.crank.points.O") {
-        if !unique.contains(&key) {
-            unique.push(key);
-        }
-    }
+    let mut unique = whole(keys);
+    // The origin of the frame of a link is no number to fill in.
+    unique.retain(|key| key.to_string() != "link.crank.points.O");
     if !unique.contains(&from) {
         unique.insert(unique.len().saturating_sub(1), from);
     }
@@ -373,7 +381,7 @@ pub(super) fn finish(state: &mut State, join: &Join) {
                 state.build.chosen = added.links.last().cloned().map(Part::Link);
                 let links = added.links.into_iter().map(Part::Link);
                 let parts = links.chain(added.points.into_iter().map(Part::Point)).collect();
-                form::open(state, FormSource::Made(parts, added.fields));
+                form::open(state, FormSource::Made(parts, whole(added.fields)));
             }
         }
         Err(problem) => state.say(Role::Bad, problem),
@@ -474,8 +482,22 @@ pub(super) fn fault(state: &mut State) {
     state.say(Role::Bad, text!("build-fault", at, count, fault = fault.text));
 }
 
-/// Looks for numbers with which the mechanism could be assembled, where it can't.
+/// Before a frame: of a dyad that can't be assembled the lengths with which it could, unless one is being typed. Of a larger group they
+/// are looked for when they are asked for, since that may take seconds.
 pub(super) fn look_for_closings(state: &mut State) {
+    let is_typing = state.build.form().is_some_and(|form| form.entry.is_some());
+    let of_dyad = |scene: &Scene| {
+        let broken = scene.broken.values().next().map(|broken| broken.group);
+        let group = broken.and_then(|group| scene.linkage.structure.groups.get(group));
+        group.is_some_and(|group| group.frame.links.len() <= 2)
+    };
+    if state.view == View::Build && !is_typing && state.scene.as_ref().is_some_and(of_dyad) {
+        find_closings(state);
+    }
+}
+
+/// Looks for numbers with which the mechanism could be assembled, where it can't.
+fn find_closings(state: &mut State) {
     let (Some(scene), Some(read)) = (&state.scene, &mut state.build.read) else { return };
     let is_shown = state.draft.shown == read.text && scene.session.text == *read.text;
     let Some(broken) = scene.broken.values().next().filter(|_| is_shown && read.closings.is_empty()) else {
@@ -501,6 +523,12 @@ fn is_of(key: &Key, mechanism: &Mechanism, links: &[usize]) -> bool {
 
 /// Takes the nearest change of one number with which the mechanism can be assembled.
 pub(super) fn close(state: &mut State) {
+    if state.build.read.as_ref().is_some_and(|read| read.closings.is_empty()) {
+        find_closings(state);
+        if state.build.read.as_ref().is_some_and(|read| !read.closings.is_empty()) {
+            return;
+        }
+    }
     let closing = state.build.read.as_ref().and_then(|read| read.closings.first()).cloned();
     match closing {
         Some(closing) => {

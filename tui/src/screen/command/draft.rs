@@ -162,7 +162,11 @@ pub(super) fn save(state: &mut State) {
             PathBuf::from(source.name()).with_file_name(file).display().to_string()
         }
     };
+    let is_nameless = name.is_empty();
     state.open_prompt(PromptKind::Command, format!("save {name}"));
+    if is_nameless {
+        state.say(Role::Plain, text!("say-name-the-file"));
+    }
 }
 
 /// `save FILE` of the `:` line: writes the scene with the changes.

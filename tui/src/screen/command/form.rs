@@ -188,7 +188,11 @@ pub(super) fn press(state: &mut State, key: Key) {
         KeyCode::Char('u') if key.control => typed(state, |entry| *entry = Entry::default()),
         KeyCode::Home if end(state) => state.build.form_mut().into_iter().for_each(|form| form.chosen = 0),
         KeyCode::End if end(state) => {
-            state.build.form_mut().into_iter().for_each(|form| form.chosen = form.rows.len().saturating_sub(1));
+            state
+                .build
+                .form_mut()
+                .into_iter()
+                .for_each(|form| form.chosen = form.rows.len().saturating_sub(1));
         }
         KeyCode::Home | KeyCode::End => {}
         KeyCode::Insert => insert(state),
@@ -313,6 +317,12 @@ fn fill(state: &mut State) {
     let Some(entry) = state.build.form().and_then(|form| form.entry.clone()) else { return };
     let all: Vec<&str> = pieces(&entry).collect();
     let Some((last, before)) = all.split_last() else { return };
+    let room = state.build.form().map_or(0, |form| form.rows.len() - form.chosen);
+    if all.len() > room {
+        let problem = text!("build-too-many-values", given = all.len(), room);
+        state.build.form_mut().into_iter().for_each(|form| form.fault = Some(problem.clone()));
+        return state.say(Role::Bad, problem);
+    }
     for piece in before {
         typed(state, |entry| *entry = (*piece).into());
         if !end(state) {

@@ -13,11 +13,11 @@ const STEPS: [Step; 10] = [
     ("tour-crank", |state| stands(state, "link.crank.points.A")),
     ("tour-rpr", |state| stands(state, "link.rocker.points.C") && stands(state, "link.stone2.points.A")),
     ("tour-rpp", |state| stands(state, "link.ram.points") && stands(state, "link.stone4.points.D")),
-    ("tour-play", |state| state.playing),
+    ("tour-play", |state| state.draft.has_steps()[1]),
     ("tour-masses", |state| stands(state, "link.ram.mass")),
     ("tour-motion", |state| stands(state, "motion.speed")),
     ("tour-force", |state| stands(state, "force[0].value")),
-    ("tour-reactions", |state| state.view == View::Forces),
+    ("tour-reactions", |state| state.view == View::Forces && state.chosen.reaction > 0),
     ("tour-checks", |state| state.view == View::Checks),
     ("tour-save", |state| state.draft.saved.is_some()),
 ];

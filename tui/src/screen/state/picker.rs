@@ -151,7 +151,8 @@ impl Picker {
             let mut words = choice.name.split(|letter: char| !letter.is_alphanumeric());
             words.find(|word| !word.is_empty()).is_some_and(|word| word.to_lowercase().starts_with(&wanted))
         };
-        let rated = |choice| Some((Reverse((begins(&choice), whole(&choice), score(&words, &choice.text)?)), choice));
+        let rated =
+            |choice| Some((Reverse((begins(&choice), whole(&choice), score(&words, &choice.text)?)), choice));
         let mut found: Vec<_> = self.rows.iter().filter(has_numbers).filter_map(rated).collect();
         found.sort_by_key(|(rate, _)| *rate);
         found.into_iter().map(|(_, choice)| choice).collect()

@@ -85,8 +85,8 @@ fn styles_of_the_structure_view() {
 fn the_help_lists_every_command() {
     let mut state = opened("shaper");
     press(&mut state, "?");
-    state.size = (80, 200);
-    let help = text(&state, 80, 200);
+    state.size = (80, 400);
+    let help = text(&state, 80, 400);
     for command in crate::screen::command::COMMANDS {
         assert!(help.contains(command.name), "{} is not on the help screen", command.name);
     }

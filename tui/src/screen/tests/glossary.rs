@@ -107,7 +107,10 @@ fn a_number_of_the_scene_is_told_first() {
     state.draft.chosen = keys.iter().position(|own| own == key).unwrap();
     let found = first(&mut state, &format!("{key}: "));
     // The dimension with its units, the limit, and that it has no default.
-    assert_has(&found, &["length", "mm", "; not negative; needed, of: pin", "friction circle circle about a pin"]);
+    assert_has(
+        &found,
+        &["length", "mm", "; not negative; needed, of: pin", "friction circle circle about a pin"],
+    );
 }
 
 #[test]

@@ -31,6 +31,11 @@ fn enter(state: &mut State, view: View) {
     }
     let inset = matches!(view, View::Values | View::Probe);
     state.view = if inset { View::Mechanism } else { view };
+    if view == View::Build {
+        state.view = View::Mechanism;
+        press(state, "B");
+        state.build.line = Some(7);
+    }
     state.probe = (view == View::Probe).then_some(Probe { link: 2, at: [0.0, 0.1] });
 }
 
@@ -281,6 +286,8 @@ fn the_menu_opens_a_scene() {
     let mut state = super::empty(None);
     command::start(&mut state);
     settle(&mut state);
+    // Above the shipped scenes: a new one, and the tour.
+    press(&mut state, "Down Down");
     assert!(text(&state, 80, 24).contains("Shaper with rocker"));
     press(&mut state, "Down Down Down Enter");
     assert!(text(&state, 80, 24).contains("Compressor"));

@@ -48,7 +48,8 @@ pub(super) fn draw(pen: &mut Pen<'_>, area: Rect) {
     }
     if let Some(hint) = building(state).filter(|_| state.message.is_none()) {
         let lines = wrapped(&state.told(hint), usize::from(area.width.saturating_sub(2)).max(1));
-        let lines: Vec<_> = lines.into_iter().take(area.height.into()).map(|line| (Role::Plain, line)).collect();
+        let lines: Vec<_> =
+            lines.into_iter().take(area.height.into()).map(|line| (Role::Plain, line)).collect();
         return pen.put_lines(area, 1, &lines);
     }
     match (&state.help, &state.picker, &state.message) {

@@ -62,7 +62,11 @@ fn built(state: &State) -> Option<Chosen> {
             let groups = &scene.linkage.structure.groups;
             group(scene, groups.iter().position(|group| group.frame.links.contains(&link))?)
         }
-        (Part::Slide(_), _) => Some(Chosen { title: words_of(&part), lines: Vec::new(), words: entries(&["word-guide", "word-tilt"]) }),
+        (Part::Slide(_), _) => Some(Chosen {
+            title: words_of(&part),
+            lines: Vec::new(),
+            words: entries(&["word-guide", "word-tilt"]),
+        }),
         _ => None,
     }
 }
