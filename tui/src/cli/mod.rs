@@ -171,9 +171,9 @@ fn on_screen(
         methods,
         config,
         config_fault,
-        config_file,
         state_folder,
         start,
+        config_file,
     };
     let code = screen::run(cli.scene, options);
     if let Some(fault) = fault {

@@ -16,8 +16,8 @@ use ratatui::layout::Rect;
 use super::{draft, form, join};
 use crate::number::digits;
 use crate::screen::state::{
-    Build, Choice, Draft, Faulty, FormSource, Join, Key as CommandKey, MOVES, Picker, PickerKind, PromptKind,
-    Question, Read, Recovered, Role, Scene, Source, State, Task, View, place, round,
+    Build, Choice, Draft, Entry, Faulty, FormSource, Join, Key as CommandKey, MOVES, Picker, PickerKind,
+    PromptKind, Question, Read, Recovered, Role, Scene, Source, State, Task, View, place, round,
 };
 use crate::screen::view;
 
@@ -173,22 +173,16 @@ pub(super) fn follow(state: &mut State) {
 
 /// Goes in a direction of the picture: moves the chosen thing, or chooses the nearest one there.
 pub(super) fn go(state: &mut State, direction: [f64; 2]) {
-    match state.build.task {
-        Task::Move => shift(state, direction),
-        _ => {
-            let Some(sketch) = state.build.sketch() else { return };
-            let places: Vec<_> = state
-                .build
-                .things()
-                .into_iter()
-                .filter_map(|part| Some((place(sketch, &part)?, part)))
-                .collect();
-            let from = state.build.chosen.as_ref().and_then(|part| place(sketch, part));
-            let next = join::nearest_in(&places, from, direction).cloned();
-            state.build.chosen = next.or(state.build.chosen.take());
-            follow(state);
-        }
+    if matches!(state.build.task, Task::Move) {
+        return shift(state, direction);
     }
+    let Some(sketch) = state.build.sketch() else { return };
+    let things = state.build.things().into_iter();
+    let places: Vec<_> = things.filter_map(|part| Some((place(sketch, &part)?, part))).collect();
+    let from = state.build.chosen.as_ref().and_then(|part| place(sketch, part));
+    let next = join::nearest_in(&places, from, direction).cloned();
+    state.build.chosen = next.or(state.build.chosen.take());
+    follow(state);
 }
 
 /// Moves the chosen thing by a step.
@@ -250,7 +244,7 @@ pub(super) fn close_task(state: &mut State) -> bool {
     state.build.line = None;
     match &mut state.build.task {
         Task::Form(_) => form::close(state),
-        Task::Join(join) if !join.entry.is_empty() => join.entry = Default::default(),
+        Task::Join(join) if !join.entry.is_empty() => join.entry = Entry::default(),
         Task::Choose if state.chosen.mode.is_some() => state.chosen.mode = None,
         Task::Choose if state.build.chosen.is_some() => state.build.chosen = None,
         Task::Choose => return false,
@@ -292,7 +286,7 @@ pub(super) fn enter(state: &mut State) {
         return;
     }
     match state.build.chosen.clone() {
-        Some(part) => form::of_part(state, part),
+        Some(part) => form::of_part(state, &part),
         None if state.build.read.as_ref().is_some_and(|read| !read.faults.is_empty()) => fault(state),
         None => add(state),
     }

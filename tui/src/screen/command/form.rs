@@ -41,8 +41,8 @@ fn open_within(state: &mut State, source: FormSource) {
 }
 
 /// Opens the form of a part: its table, or of a point its places on all links.
-pub(super) fn of_part(state: &mut State, part: Part) {
-    let source = match &part {
+pub(super) fn of_part(state: &mut State, part: &Part) {
+    let source = match part {
         Part::Link(link) => FormSource::Table(SceneKey::of("link").at(&**link)),
         Part::Slide(slide) => FormSource::Table(SceneKey::of("slide").at(&**slide)),
         Part::Point(point) => {
@@ -182,7 +182,7 @@ pub(super) fn press(state: &mut State, key: Key) {
         KeyCode::Down | KeyCode::Tab => leave(state, 1),
         KeyCode::Up | KeyCode::BackTab => leave(state, -1),
         KeyCode::Left | KeyCode::Right if !typing => {
-            turn(state, if key.code == KeyCode::Right { 1 } else { -1 })
+            turn(state, if key.code == KeyCode::Right { 1 } else { -1 });
         }
         KeyCode::Char(' ') if !typing => offer(state),
         KeyCode::Char('u') if key.control => typed(state, |entry| *entry = Entry::default()),
@@ -443,13 +443,12 @@ fn take(state: &mut State, field: &Field, toml: &str) {
 /// Takes what a step of a form has made; a fault at its own key leaves the text as it is.
 fn changed(state: &mut State, change: Change) -> bool {
     let is_taken = change.here.is_none();
-    match change.here {
-        Some(fault) => state.say(Role::Bad, fault.message),
-        None => {
-            draft::take(state, Ok(change.text));
-            if let Some(fault) = change.elsewhere.into_iter().next() {
-                state.say(Role::Bad, fault.message);
-            }
+    if let Some(fault) = change.here {
+        state.say(Role::Bad, fault.message);
+    } else {
+        draft::take(state, Ok(change.text));
+        if let Some(fault) = change.elsewhere.into_iter().next() {
+            state.say(Role::Bad, fault.message);
         }
     }
     renew(state);
@@ -471,15 +470,12 @@ fn insert(state: &mut State) {
 
 /// Removes the chosen row, or the value of the chosen field.
 fn remove(state: &mut State) {
-    match state.build.form().map(|form| (form.source.clone(), form.chosen)) {
-        Some((FormSource::Rows(at), chosen)) => {
-            let change = deleted(state.draft.text(), &at, chosen / 2);
-            changed(state, change);
-        }
-        _ => {
-            let Some(field) = state.build.form().and_then(FormTask::field).cloned() else { return };
-            take(state, &field, "");
-        }
+    let Some(form) = state.build.form() else { return };
+    if let FormSource::Rows(at) = &form.source {
+        let change = deleted(state.draft.text(), at, form.chosen / 2);
+        changed(state, change);
+    } else if let Some(field) = form.field().cloned() {
+        take(state, &field, "");
     }
 }
 

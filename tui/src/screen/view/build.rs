@@ -190,7 +190,7 @@ fn told(state: &State, width: usize) -> Vec<(Role, String)> {
             tell(Role::Key, text!("build-join-to", what = typed));
         }
         Task::Delete(parts) => {
-            tell(Role::Bad, text!("build-delete", parts = list(parts.iter().map(words_of))))
+            tell(Role::Bad, text!("build-delete", parts = list(parts.iter().map(words_of))));
         }
         task => {
             if let Some(chosen) = &state.build.chosen {
@@ -246,7 +246,7 @@ fn state_of(state: &State, width: usize) -> Vec<(Role, String)> {
     };
     match &state.scene {
         Some(scene) if read.readable.is_some() => {
-            tell(Role::Plain, name(state.told(&scene.linkage.structure.formula)))
+            tell(Role::Plain, name(state.told(&scene.linkage.structure.formula)));
         }
         _ => {}
     }
@@ -281,7 +281,7 @@ fn draw_file(pen: &mut Pen<'_>, area: Rect) {
     let written = before.map_or(0..0, |before| differing(before, text));
     let height = usize::from(inner.height);
     let last = lines.len().saturating_sub(height);
-    let middle = (written.start + written.end) / 2;
+    let middle = usize::midpoint(written.start, written.end);
     let first = state.build.line.unwrap_or_else(|| middle.saturating_sub(height / 2)).min(last);
     for (row, (index, line)) in lines.iter().enumerate().skip(first).take(height).enumerate() {
         let is_written = written.contains(&index);
@@ -397,7 +397,9 @@ pub(crate) fn pattern(addition: &Addition) -> Figure {
         sign(outer(index), *sort == assur_group::PairSort::Slide, true);
     }
     for (index, (links, sort)) in pattern.inner.iter().enumerate() {
-        links.iter().for_each(|link| joints[*link].push(inner(index)));
+        for link in links {
+            joints[*link].push(inner(index));
+        }
         sign(inner(index), *sort == assur_group::PairSort::Slide, false);
     }
     for (link, mut corners) in joints.into_iter().enumerate() {
