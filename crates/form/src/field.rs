@@ -94,6 +94,11 @@ impl Field {
         self.default == KeyDefault::Needed
     }
 
+    /// Whether it may be a text of any words.
+    pub fn is_text(&self) -> bool {
+        self.kinds.contains(&ValueKind::Text)
+    }
+
     /// Whether a table stands there, which has a form of its own.
     pub fn is_table(&self) -> bool {
         self.value.as_deref().is_some_and(|value| value.starts_with('{'))

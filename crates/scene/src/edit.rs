@@ -56,13 +56,6 @@ impl<'a> ParsedText<'a> {
         find::place(self.table.get_ref(), key.steps())
     }
 
-    /// A table that stands in one line (`{ ... }`), as a value that can be replaced as a whole; `None` where there is none of this key.
-    pub fn table(&self, key: &Key) -> Option<SceneValue> {
-        let found = find::table(self.table.get_ref(), key.steps())?;
-        let written = self.text.get(found.clone()).filter(|text| text.starts_with('{'))?;
-        Some(SceneValue::whole(key, found, written))
-    }
-
     /// Every number with or without a unit, and the choice of the motor, in the order of the file; of a scene with faults none.
     pub fn values(&self) -> Vec<SceneValue> {
         values::of(self)

@@ -38,9 +38,13 @@ pub(crate) fn run(job: &Job, tell: &dyn Fn(Report)) -> Report {
                 Wanted::Preview(name) => Session::open(Source::Shipped(name)),
                 Wanted::Change(change) => {
                     let text = change.readable.to_string();
+                    let source = change.source.clone();
                     match &change.session {
-                        Some(session) => session.changed(text),
-                        None => Session::read(change.source.clone(), text),
+                        Some(session) => session.changed(text).map(|mut session| {
+                            session.source = source;
+                            session
+                        }),
+                        None => Session::read(source, text),
                     }
                 }
             };

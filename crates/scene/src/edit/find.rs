@@ -61,12 +61,6 @@ pub(crate) fn place(document: &DeTable<'_>, steps: &[Step]) -> Option<std::ops::
     (1..=steps.len()).rev().find_map(|depth| of(&steps[..depth]))
 }
 
-/// The bytes of the file that a table takes.
-pub(super) fn table(document: &DeTable<'_>, steps: &[Step]) -> Option<std::ops::Range<usize>> {
-    let found = within(document, steps).ok()?;
-    matches!(found.get_ref(), DeValue::Table(_)).then(|| found.span())
-}
-
 /// The value of a key.
 pub(crate) fn within<'a, 'b>(
     document: &'a DeTable<'b>,

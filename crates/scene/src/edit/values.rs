@@ -23,12 +23,6 @@ pub struct SceneValue {
 }
 
 impl SceneValue {
-    /// A part of the file that is no number.
-    pub(super) fn whole(key: &Key, span: Range<usize>, written: &str) -> Self {
-        let (key, written, unit) = (key.clone(), written.to_owned(), String::new());
-        Self { key, span, written, number: 0.0, unit, whole: false }
-    }
-
     /// Text for the current value changed by a percentage of the file's value; a count changes by at least 1. If the
     /// result is the file's value, its text is returned unchanged. `None` if the file's value is zero or the current
     /// value is not a number.

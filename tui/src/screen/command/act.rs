@@ -236,14 +236,14 @@ pub(super) fn pan(state: &mut State, axis: usize, sense: f64) {
 
 pub(super) fn reload(state: &mut State) {
     let Some(scene) = &mut state.scene else { return };
-    match &scene.session.source {
+    match &state.draft.source {
         // Nothing is to be read, but an analysis that was stopped may continue.
         Source::Shipped(_) if scene.found.is_none() => {
             scene.fault = None;
             jobs::ask(state, Purpose::Main);
         }
         Source::File(_) => {
-            let source = scene.session.source.clone();
+            let source = state.draft.source.clone();
             state.read(Wanted::Open(source));
         }
         Source::Shipped(_) | Source::New => state.say(Role::Plain, text!("say-no-file")),

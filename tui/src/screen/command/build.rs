@@ -23,6 +23,8 @@ use crate::screen::view;
 
 /// Lines by which the file is scrolled.
 const PAGE: isize = 5;
+/// The size of the mechanism by the distance at which a point is near.
+const NEAR: f64 = 10.0;
 /// How often what is loose or surplus is left out before nothing is drawn.
 const ATTEMPTS: usize = 20;
 /// What a new mechanism may begin with.
@@ -80,7 +82,10 @@ pub(super) fn recover(state: &mut State, found: Recovered, key: CommandKey) {
             forget(&found.path);
             offer_recovered(state);
         }
-        _ => offer_recovered(state),
+        _ => {
+            state.say(Role::Plain, text!("recover-later"));
+            offer_recovered(state);
+        }
     }
 }
 
@@ -115,7 +120,7 @@ fn read(name: &str, text: &Arc<str>) -> Read {
     let sketch = sketch(&mechanism(&found.text));
     let moving = moving(name, found.text, &mut faults).map(Arc::from);
     let readable = moving.map(|moving: Arc<str>| if *moving == **text { Arc::clone(text) } else { moving });
-    Read { text: Arc::clone(text), readable, sketch, faults, closings: Vec::new() }
+    Read { text: Arc::clone(text), readable, sketch, faults, closings: None }
 }
 
 /// The part of a text that makes a mechanism: without the links that are loose; `None` if nothing does.
@@ -215,13 +220,19 @@ pub(super) fn drag(state: &mut State, area: Rect, cell: [u16; 2], begins: bool) 
     if begins {
         let things = state.build.things().into_iter();
         let places: Vec<_> = things.filter_map(|part| Some((place(sketch, &part)?, part))).collect();
-        let distance = |place: [f64; 2]| (place[0] - at[0]).hypot(place[1] - at[1]);
-        let near = places.iter().min_by(|a, b| distance(a.0).total_cmp(&distance(b.0)));
-        state.build.chosen = near.map(|(_, part)| part.clone());
+        // A point is meant rather than the link on which it is.
+        let behind = |part: &Part| if matches!(part, Part::Point(_)) { 0.0 } else { sketch.size() / NEAR };
+        let distance =
+            |(place, part): &([f64; 2], Part)| (place[0] - at[0]).hypot(place[1] - at[1]) + behind(part);
+        let near = places.iter().min_by(|a, b| distance(a).total_cmp(&distance(b)));
+        (state.build.chosen, state.build.dragged) = (near.map(|(_, part)| part.clone()), false);
         follow(state);
         return true;
     }
-    let Some(Part::Point(point)) = &state.build.chosen else { return false };
+    let Some(Part::Point(point)) = &state.build.chosen else {
+        state.say(Role::Plain, text!("build-drag-a-point"));
+        return true;
+    };
     // To whole millimeters.
     let to = at.map(|x| (1e3 * x).round() / 1e3);
     let text = assur_sketch::move_point(state.draft.text(), sketch, point, to);
@@ -494,7 +505,7 @@ pub(super) fn look_for_closings(state: &mut State) {
 fn find_closings(state: &mut State) {
     let (Some(scene), Some(read)) = (&state.scene, &mut state.build.read) else { return };
     let is_shown = state.draft.shown == read.text && scene.session.text == *read.text;
-    let Some(broken) = scene.broken.values().next().filter(|_| is_shown && read.closings.is_empty()) else {
+    let Some(broken) = scene.broken.values().next().filter(|_| is_shown && read.closings.is_none()) else {
         return;
     };
     let mechanism = &scene.linkage.mechanism;
@@ -502,7 +513,7 @@ fn find_closings(state: &mut State) {
     let links = group.map_or(&[][..], |group| &group.frame.links);
     let keys = ParsedText::of(&read.text).values().into_iter().map(|value| value.key);
     let keys: Vec<Key> = keys.filter(|key| is_of(key, mechanism, links)).collect();
-    read.closings = closings(&read.text, &keys);
+    read.closings = Some(closings(&read.text, &keys));
 }
 
 /// Whether a key is that of a place on one of these links.
@@ -517,13 +528,14 @@ fn is_of(key: &Key, mechanism: &Mechanism, links: &[usize]) -> bool {
 
 /// Takes the nearest change of one number with which the mechanism can be assembled.
 pub(super) fn close(state: &mut State) {
-    if state.build.read.as_ref().is_some_and(|read| read.closings.is_empty()) {
+    let found = |state: &State| state.build.read.as_ref().and_then(|read| read.closings.clone());
+    if found(state).is_none() {
         find_closings(state);
-        if state.build.read.as_ref().is_some_and(|read| !read.closings.is_empty()) {
+        if found(state).is_some_and(|found| !found.is_empty()) {
             return;
         }
     }
-    let closing = state.build.read.as_ref().and_then(|read| read.closings.first()).cloned();
+    let closing = found(state).and_then(|found| found.into_iter().next());
     match closing {
         Some(closing) => {
             let text = assur_draft::set(state.draft.text(), &closing.key, &closing.toml);

@@ -104,7 +104,7 @@ pub(super) fn ask(state: &mut State) {
         _ => Arc::clone(&text),
     };
     let session = scene.as_ref().map(|scene| Arc::clone(&scene.session));
-    let source = session.as_ref().map_or(Source::New, |session| session.source.clone());
+    let source = draft.source.clone();
     draft.reading = Reading::Runs;
     let change = Change { opening: draft.opening, text, readable, session, source };
     state.read(Wanted::Change(change));

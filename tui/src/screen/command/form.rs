@@ -85,7 +85,7 @@ pub(super) fn renew(state: &mut State) {
     };
     let (heading, rows): (Text, Vec<Row>) = match &form.source {
         FormSource::Table(at) => {
-            let form = table(&text, at, &motors());
+            let form = table(&text, at, &motors(at));
             (
                 form.heading,
                 form.fields.into_iter().map(|field| row_of(state, field.label.clone(), field)).collect(),
@@ -118,8 +118,11 @@ pub(super) fn renew(state: &mut State) {
     }
 }
 
-/// Motors of the catalogues, for the field of a motor.
-fn motors() -> Vec<(&'static str, Vec<assur_form::Choice>)> {
+/// Motors of the catalogues, for the field of the motor in the table of the drive.
+fn motors(at: &SceneKey) -> Vec<(&'static str, Vec<assur_form::Choice>)> {
+    if *at != SceneKey::of("drive") {
+        return Vec::new();
+    }
     let catalogues = assur_motor::catalogues();
     let filter = assur_motor::MotorFilter::default();
     let all = catalogues
@@ -185,7 +188,17 @@ pub(super) fn press(state: &mut State, key: Key) {
             turn(state, if key.code == KeyCode::Right { 1 } else { -1 });
         }
         KeyCode::Char(' ') if !typing => offer(state),
-        KeyCode::Char('u') if key.control => typed(state, |entry| *entry = Entry::default()),
+        // What stands is changed at its end.
+        KeyCode::Backspace if !typing => {
+            let now = form.row().filter(|row| row.stands).map_or_else(String::new, |row| match &row.kind {
+                RowKind::Value(field) => field.shown(),
+                RowKind::Name(_) => row.value.clone(),
+            });
+            typed(state, |entry| {
+                *entry = now.as_str().into();
+                entry.press(key)
+            });
+        }
         KeyCode::Home if end(state) => state.build.form_mut().into_iter().for_each(|form| form.chosen = 0),
         KeyCode::End if end(state) => {
             state
@@ -195,24 +208,22 @@ pub(super) fn press(state: &mut State, key: Key) {
                 .for_each(|form| form.chosen = form.rows.len().saturating_sub(1));
         }
         KeyCode::Home | KeyCode::End => {}
-        KeyCode::Insert => insert(state),
+        KeyCode::Delete if typing => close(state),
         KeyCode::Delete => remove(state),
-        _ => typed(state, |entry| {
-            entry.press(key);
-        }),
+        KeyCode::Insert if end(state) => insert(state),
+        _ => typed(state, |entry| entry.press(key)),
     }
 }
 
 /// Changes what is typed, and takes it into the text if it may stand there.
-pub(super) fn typed(state: &mut State, change: impl FnOnce(&mut Entry)) {
+pub(super) fn typed(state: &mut State, change: impl FnOnce(&mut Entry) -> bool) {
     let Some(form) = state.build.form_mut() else { return };
-    let begins = form.entry.is_none();
-    let mut entry = form.entry.take().unwrap_or_default();
-    if begins && form.row().is_none() {
+    let mut entry = form.entry.clone().unwrap_or_default();
+    // A key that writes nothing leaves the value as it is.
+    if form.row().is_none() || !change(&mut entry) {
         return;
     }
-    change(&mut entry);
-    let words = pieces(&entry).next().unwrap_or_default().to_owned();
+    let words = pieces(form, &entry).first().map_or_else(String::new, |piece| (*piece).to_owned());
     form.entry = Some(entry);
     let Some(RowKind::Value(field)) = form.row().map(|row| row.kind.clone()) else { return };
     // A step that has begun with this field is typed on from the text before it.
@@ -307,30 +318,43 @@ fn leave(state: &mut State, by: isize) {
     }
 }
 
-/// What is typed, field by field: `4 kg; O; 0.04` fills three fields.
-fn pieces(entry: &str) -> impl Iterator<Item = &str> {
-    entry.split(';').map(str::trim)
+/// What is typed, field by field: `4 kg; O; 0.04` fills three fields. In a text such as a title a semicolon is one of its letters.
+fn pieces<'e>(form: &FormTask, entry: &'e str) -> Vec<&'e str> {
+    if form.field().is_some_and(Field::is_text) {
+        vec![entry.trim()]
+    } else {
+        entry.split(';').map(str::trim).collect()
+    }
 }
 
 /// Fills the chosen field and those behind it with what is typed for several of them; stops at one that is not taken.
 fn fill(state: &mut State) {
-    let Some(entry) = state.build.form().and_then(|form| form.entry.clone()) else { return };
-    let all: Vec<&str> = pieces(&entry).collect();
-    let Some((last, before)) = all.split_last() else { return };
-    let room = state.build.form().map_or(0, |form| form.rows.len() - form.chosen);
+    let Some((form, entry)) = state.build.form().and_then(|form| Some((form, form.entry.clone()?))) else {
+        return;
+    };
+    let (all, room) = (pieces(form, &entry), form.rows.len() - form.chosen);
+    let Some((last, before)) = all.split_last().filter(|(_, before)| !before.is_empty()) else { return };
     if all.len() > room {
         let problem = text!("build-too-many-values", given = all.len(), room);
         state.build.form_mut().into_iter().for_each(|form| form.fault = Some(problem.clone()));
         return state.say(Role::Bad, problem);
     }
     for piece in before {
-        typed(state, |entry| *entry = (*piece).into());
+        put_in(state, piece);
         if !end(state) {
             return;
         }
         leave(state, 1);
     }
-    typed(state, |entry| *entry = (*last).into());
+    put_in(state, last);
+}
+
+/// Types a text in place of what is typed.
+fn put_in(state: &mut State, piece: &str) {
+    typed(state, |entry| {
+        *entry = piece.into();
+        true
+    });
 }
 
 /// Enter: the next field; of a table its own form; behind the last field the form is done.

@@ -140,7 +140,10 @@ pub(crate) fn paste(state: &mut State, text: &str) {
         (picker.filter.typing, picker.chosen) = (true, 0);
         picker.filter.text.push_str(&line);
     } else if state.build.form().is_some() && state.builds() {
-        form::typed(state, |entry| entry.push_str(&line));
+        form::typed(state, |entry| {
+            entry.push_str(&line);
+            true
+        });
     } else if let (Task::Join(join), View::Build) = (&mut state.build.task, state.view) {
         join.entry.push_str(&line);
     } else if state.question.is_none() {

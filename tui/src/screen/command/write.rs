@@ -11,9 +11,7 @@ use crossterm::event::KeyCode;
 
 use super::build;
 use crate::files;
-use crate::screen::state::{
-    Effect, Job, Key, OutputFile, Question, Role, Scene, Source, State, View, ViewPart,
-};
+use crate::screen::state::{Effect, Job, Key, OutputFile, Question, Role, Scene, State, View, ViewPart};
 use crate::screen::view;
 use crate::still::{PAGE, picture};
 
@@ -210,10 +208,7 @@ pub(crate) fn grant(state: &mut State, file: OutputFile) {
     match numbers.and_then(|()| files::write(&path, &file.content)) {
         Ok(()) => {
             if file.scene {
-                state.draft.saved = Some(Arc::clone(state.draft.text()));
-                if state.draft.source == Source::New {
-                    state.draft.source = Source::File(file.path.clone());
-                }
+                state.draft.save(&file.path);
             }
             let told = if file.numbers.is_some() { "say-written-both" } else { "say-written" };
             state.say(Role::Good, text!(told, file = name(path.display().to_string())));

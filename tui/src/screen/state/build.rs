@@ -96,8 +96,8 @@ pub(crate) struct Read {
     pub(crate) readable: Option<Arc<str>>,
     pub(crate) sketch: Sketch,
     pub(crate) faults: Vec<Faulty>,
-    /// Changes of one number with which the mechanism could be assembled, where it can't.
-    pub(crate) closings: Vec<Closing>,
+    /// Changes of one number with which the mechanism could be assembled, where it can't; `None`: they were not looked for.
+    pub(crate) closings: Option<Vec<Closing>>,
 }
 
 /// A fault, and the key where it stands.

@@ -105,7 +105,7 @@ impl Draft {
     pub(crate) fn from(opening: usize, source: Source, text: &str) -> Self {
         let text: Arc<str> = text.into();
         let values = ParsedText::of(&text).values();
-        let own = values.iter().map(|value| (value.key.clone(), value.written.clone())).collect();
+        let own = written(&values);
         let (opened, shown) = (Arc::clone(&text), Arc::clone(&text));
         Self { step: FIRST_STEP, values, own, opened, shown, text, source, opening, ..Self::default() }
     }
@@ -185,6 +185,21 @@ impl Draft {
         self.is_kept() || self.warned
     }
 
+    /// A file has the text now; if it is its own, that is the text from which changes count.
+    pub(crate) fn save(&mut self, path: &Path) {
+        self.saved = Some(Arc::clone(&self.text));
+        let is_own = match &self.source {
+            Source::New => true,
+            Source::File(own) => own == path,
+            Source::Shipped(_) => false,
+        };
+        if is_own {
+            self.source = Source::File(path.to_owned());
+            self.opened = Arc::clone(&self.text);
+            self.own = written(&self.values);
+        }
+    }
+
     /// Makes another text of it in one step; returns whether it differs.
     pub(crate) fn take(&mut self, text: &str) -> bool {
         let differs = *text != *self.text;
@@ -213,6 +228,12 @@ impl Draft {
     /// Sets a value to this TOML in one step; returns whether it differs.
     pub(crate) fn put(&mut self, index: usize, toml: &str) -> bool {
         let Some(value) = self.values.get(index) else { return false };
+        self.of_modes |= value.key.steps().first() == Some(&"assembly".into());
+        if self.text.get(value.span.clone()) != Some(value.written.as_str()) {
+            // The text has had faults since the values were read, so they may stand elsewhere now.
+            let text = assur_draft::set(&self.text, &value.key, toml);
+            return text.is_ok_and(|text| self.take(&text));
+        }
         let text = replaced(&self.text, [(&value.span, toml)]);
         self.last = Some(value.key.clone());
         if text == *self.text {
@@ -284,4 +305,9 @@ impl Draft {
         self.chosen = self.chosen.min(values.len().saturating_sub(1));
         self.values = values;
     }
+}
+
+/// Values as they are written, by their keys.
+fn written(values: &[SceneValue]) -> BTreeMap<Key, String> {
+    values.iter().map(|value| (value.key.clone(), value.written.clone())).collect()
 }

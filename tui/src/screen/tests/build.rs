@@ -278,3 +278,75 @@ fn any_keys_while_building_leave_a_file_that_is_shown() {
 fn very_many_keys_while_building() {
     build_at_random(10_000);
 }
+
+/// A crank on its pivot, its form ended.
+fn crank() -> State {
+    let mut state = empty(None);
+    command::begin(&mut state);
+    settle(&mut state);
+    press(&mut state, "Enter Esc");
+    state
+}
+
+#[test]
+fn a_key_that_writes_nothing_leaves_the_value_and_backspace_changes_its_end() {
+    let mut state = crank();
+    press(&mut state, "T Enter");
+    let before = state.draft.text().to_string();
+    press(&mut state, "PgDn PgUp F5");
+    assert_eq!(&**state.draft.text(), before);
+    press(&mut state, "Esc Tab Tab Enter Down");
+    // The place of A on the crank, 100 mm: without its last letter it is in meters.
+    press(&mut state, "Backspace");
+    let form = state.build.form().unwrap();
+    assert_eq!(form.entry.as_ref().map(|entry| entry.to_string()).as_deref(), Some("100 m"));
+    press(&mut state, "Esc");
+    assert_eq!(&**state.draft.text(), before, "what was not ended is taken back");
+}
+
+#[test]
+fn each_drag_is_a_step_of_its_own() {
+    let mut state = crank();
+    let event = |state: &mut State, kind, column, row| {
+        command::click(state, MouseEvent { kind, column, row, modifiers: KeyModifiers::NONE });
+        settle(state);
+    };
+    let first = state.draft.text().to_string();
+    // The crank lies from the pivot, in the middle of the picture, to the right.
+    let row = text(&state, 80, 24)
+        .lines()
+        .position(|line| line.contains('\u{2500}') && line.contains('A'))
+        .unwrap_or(11);
+    let mut texts = vec![first.clone()];
+    for (column, to) in [(34, 38), (38, 30)] {
+        let row = u16::try_from(row).unwrap();
+        event(&mut state, MouseEventKind::Down(MouseButton::Left), column, row);
+        event(&mut state, MouseEventKind::Drag(MouseButton::Left), to, row - 2);
+        event(&mut state, MouseEventKind::Drag(MouseButton::Left), to, row - 3);
+        event(&mut state, MouseEventKind::Up(MouseButton::Left), to, row - 3);
+        texts.push(state.draft.text().to_string());
+    }
+    assert!(texts[0] != texts[1] && texts[1] != texts[2], "{texts:?}");
+    for before in texts[..2].iter().rev() {
+        press(&mut state, "u");
+        assert_eq!(&**state.draft.text(), before);
+    }
+}
+
+#[test]
+fn a_new_scene_that_is_saved_counts_its_changes_from_its_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("own.toml");
+    let mut state = crank();
+    assert!(text(&state, 80, 24).contains("* new.toml"));
+    super::write(&mut state, &format!(":save {}", path.display()));
+    assert_eq!(fs::read_to_string(&path).unwrap(), **state.draft.text());
+    let frame = text(&state, 80, 24);
+    assert!(frame.contains("own.toml") && !frame.contains("* own.toml"), "{frame}");
+    press(&mut state, "1");
+    assert!(!text(&state, 80, 24).lines().next().unwrap().contains('*'));
+    // A later change is written to the same file without a question.
+    press(&mut state, "B D y");
+    press(&mut state, "S Enter");
+    assert!(state.question.is_none());
+}

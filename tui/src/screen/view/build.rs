@@ -257,13 +257,13 @@ fn state_of(state: &State, width: usize) -> Vec<(Role, String)> {
         let key = name(state.keys.first("next-fault"));
         tell(Role::Bad, fault.text.clone());
         tell(Role::Dim, text!("build-faults", count = more, key));
-    } else if !read.closings.is_empty() {
+    } else if let Some(closings) = read.closings.as_ref().filter(|closings| !closings.is_empty()) {
         let closing = |closing: &assur_sketch::Closing| {
             let [from, to] = [closing.from, closing.to].map(|value| number(digits(1e3 * value, 5)));
             text!("build-closing", key = &closing.key, from, to)
         };
         let key = name(state.keys.first("close-gap"));
-        tell(Role::Bad, text!("build-closings", all = list(read.closings.iter().map(closing)), key));
+        tell(Role::Bad, text!("build-closings", all = list(closings.iter().map(closing)), key));
     }
     lines
 }
@@ -359,7 +359,9 @@ fn of_field(state: &State, form: &FormTask, width: usize) -> Vec<(Role, String)>
         tell(Role::Bad, fault.clone());
     } else if let Some(field) = form.field() {
         tell(Role::Dim, field.about.clone());
-        tell(Role::Dim, text!("build-field-values", values = field.values.clone()));
+        let limits = Some(&field.limits).filter(|limits| !limits.is_empty());
+        let values = std::iter::once(&field.values).chain(limits).cloned();
+        tell(Role::Dim, joined("; ", values));
         if matches!(form.source, FormSource::Rows(_)) {
             tell(Role::Dim, text!("build-row-keys"));
         }
