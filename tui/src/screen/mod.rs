@@ -95,7 +95,7 @@ pub(crate) fn run(path: Option<PathBuf>, options: Options) -> Result<u8, Text> {
     state.options = options.methods;
     match options.start {
         Start::Scene => command::start(&mut state),
-        Start::New => command::begin(&mut state),
+        Start::New => command::from_nothing(&mut state),
         Start::Tour => command::tour(&mut state),
     }
     state.recovered = options.state_folder.as_deref().map(recovery::left).unwrap_or_default();

@@ -7,7 +7,7 @@ use assur_sketch::{Sketch, Target};
 use assur_words::{Text, name, text};
 use crossterm::event::KeyCode;
 
-use super::build;
+use super::begin;
 use crate::screen::state::{Entry, Join, Key, Role, State, Task, place, round};
 
 /// Half of the opening of the sector in which a direction looks for things: the tangent of 60 degrees.
@@ -19,7 +19,7 @@ pub(super) fn go_on(state: &mut State) {
     (join.entry, join.chosen) = (Entry::default(), None);
     if join.pair().is_none() {
         let Task::Join(join) = std::mem::take(&mut state.build.task) else { return };
-        build::finish(state, &join);
+        begin::finish(state, &join);
     }
 }
 

@@ -1,9 +1,13 @@
 //! Commands: their table, their effects on the state, and the keys and lines that run them.
 
 mod act;
+mod begin;
 mod build;
+mod choices;
 mod draft;
+mod fields;
 mod form;
+mod found;
 mod jobs;
 mod join;
 mod jump;
@@ -15,7 +19,7 @@ mod probe;
 mod table;
 mod tour;
 mod write;
-pub(crate) use build::{new as begin, offer_recovered};
+pub(crate) use begin::{new as from_nothing, offer_recovered};
 pub(crate) use jobs::take;
 pub(crate) use table::COMMANDS;
 pub(crate) use tour::begin as tour;
@@ -111,7 +115,7 @@ fn pass(state: &mut State, event: KeyEvent) {
 /// text is at its end.
 pub(crate) fn prepare(state: &mut State) {
     picker::preview(state);
-    build::look_for_closings(state);
+    found::look_for_closings(state);
     tour::go_on(state);
     if state.entry().is_some_and(|entry| entry.cut) {
         state.say(Role::Bad, text!("say-too-long", most = number(LONGEST)));

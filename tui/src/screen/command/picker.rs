@@ -4,7 +4,7 @@ use assur_fixtures::SCENES;
 use assur_words::{name, text};
 use crossterm::event::KeyCode;
 
-use super::{build, draft, motors, tour};
+use super::{begin, draft, motors, tour};
 use crate::screen::state::{Choice, Key, Picker, PickerKind, Series, Source, State, View, Wanted};
 
 const PAGE: isize = 10;
@@ -67,7 +67,7 @@ fn take(state: &mut State) {
     match kind {
         PickerKind::Scenes => {
             match &**first {
-                NEW => return build::new(state),
+                NEW => return begin::new(state),
                 TOUR => return tour::begin(state),
                 _ => {}
             }
@@ -88,7 +88,7 @@ fn take(state: &mut State) {
         kind => {
             let first = first.clone();
             state.picker = None;
-            return build::take(state, kind, &first);
+            return begin::take(state, kind, &first);
         }
     }
     state.picker = None;

@@ -1,6 +1,6 @@
 //! The table of commands, used for dispatch, hints, help screen, `:` line and configuration.
 
-use super::{act, build, draft, jump, line, modes, picker, probe, tour, write};
+use super::{act, begin, build, draft, found, jump, line, modes, picker, probe, tour, write};
 use crate::screen::state::{
     Command, Effect, Group, Help, PromptKind, State, View, ViewPart, Zoom, next_kind,
 };
@@ -111,7 +111,7 @@ pub(crate) const COMMANDS: &[Command] = &[
     command("do-undo", Change, "u", OPEN, draft::undo).only(|s| s.draft.has_steps()[0]),
     command("do-redo", Change, "C-r", OPEN, draft::redo).only(|s| s.view == Build && s.draft.has_steps()[1]),
     command("do-save", Change, "S", OPEN, draft::save).only(|s| s.draft.is_changed()),
-    command("do-add-group", Change, "A", BUILD, build::add),
+    command("do-add-group", Change, "A", BUILD, begin::add),
     command("do-thing", Choose, "Enter", BUILD, build::enter).only(|s| s.build.chosen.is_some()),
     command("do-next-thing", Choose, "Tab", BUILD, |s| build::next(s, 1)),
     command("do-previous-thing", Choose, "S-Tab", BUILD, |s| build::next(s, -1)),
@@ -133,9 +133,9 @@ pub(crate) const COMMANDS: &[Command] = &[
     command("do-join-elsewhere", Change, "&", BUILD, build::rejoin).only(|s| s.build.chosen.is_some()),
     command("do-tables", Change, "T", BUILD, build::tables),
     command("do-masses", Change, "b", BUILD, build::masses),
-    command("do-drives", Change, "i", BUILD, build::input),
-    command("do-close-gap", Change, "C", BUILD, build::close).only(|s| s.scene.as_ref().is_some_and(|scene| !scene.broken.is_empty())),
-    command("do-next-fault", Choose, "E", BUILD, build::fault).only(|s| s.build.read.as_ref().is_some_and(|read| !read.faults.is_empty() && !read.text.is_empty())),
+    command("do-drives", Change, "i", BUILD, begin::input),
+    command("do-close-gap", Change, "C", BUILD, found::close).only(|s| s.scene.as_ref().is_some_and(|scene| !scene.broken.is_empty())),
+    command("do-next-fault", Choose, "E", BUILD, found::fault).only(|s| s.build.read.as_ref().is_some_and(|read| !read.faults.is_empty() && !read.text.is_empty())),
     command("do-file-down", Choose, "PgDn", BUILD, |s| build::scroll(s, 1)),
     command("do-file-up", Choose, "PgUp", BUILD, |s| build::scroll(s, -1)),
     command("do-results", Views, "R", OPEN, |s| s.view = Results),
@@ -151,8 +151,8 @@ pub(crate) const COMMANDS: &[Command] = &[
     command("do-table", Views, "t", OPEN, |s| s.view = Table),
     command("do-working", Views, "W", OPEN, |s| s.view = Working),
     command("do-panels", Views, "P", SCENE, |s| s.panels.shown = !s.panels.shown),
-    command("do-build", Views, "B", &[], build::toggle),
-    command("do-new", Views, "", &[], build::new),
+    command("do-build", Views, "B", &[], begin::toggle),
+    command("do-new", Views, "", &[], begin::new),
     command("do-tour", Views, "", &[], tour::begin),
     command("do-scenes", Views, "o", &[], picker::scenes),
     command("do-arrows", Look, "v", &[Mechanism], |s| s.arrows = next_kind(s.arrows)),

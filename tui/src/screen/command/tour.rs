@@ -3,7 +3,7 @@
 use assur_mechanism::Key;
 use assur_words::{Text, number, text};
 
-use super::build;
+use super::begin;
 use crate::screen::state::{Role, State, Task, View};
 
 /// A step: the identity of what it says, and whether it is done.
@@ -30,7 +30,7 @@ fn stands(state: &State, key: &str) -> bool {
 
 /// Begins the tour.
 pub(crate) fn begin(state: &mut State) {
-    build::new(state);
+    begin::new(state);
     state.tour = Some((0, told(0)));
 }
 

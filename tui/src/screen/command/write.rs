@@ -9,7 +9,7 @@ use assur_report::csv::{self, CsvCell};
 use assur_words::{Describe, Text, name, text};
 use crossterm::event::KeyCode;
 
-use super::build;
+use super::begin;
 use crate::files;
 use crate::screen::state::{Effect, Job, Key, OutputFile, Question, Role, Scene, State, View, ViewPart};
 use crate::screen::view;
@@ -220,7 +220,7 @@ pub(crate) fn grant(state: &mut State, file: OutputFile) {
 pub(super) fn answer(state: &mut State, question: Question, key: Key) {
     let file = match question {
         Question::Overwrite(file) => file,
-        Question::Recover(found) => return build::recover(state, found, key),
+        Question::Recover(found) => return begin::recover(state, found, key),
     };
     if matches!(key.code, KeyCode::Char('y' | 'Y')) {
         state.message = None;

@@ -88,7 +88,7 @@ fn pieces(keys: &str) -> Vec<String> {
 /// Plays a recipe from nothing; the number of keys beyond names and numbers.
 fn play(keys: &[String]) -> (State, usize) {
     let mut state = empty(None);
-    command::begin(&mut state);
+    command::from_nothing(&mut state);
     settle(&mut state);
     let mut count = 0;
     for piece in keys {
@@ -196,7 +196,7 @@ fn beginnings() -> Vec<String> {
 fn build_at_random(steps: usize) {
     for (number, first) in beginnings().into_iter().enumerate() {
         let mut state = empty(None);
-        command::begin(&mut state);
+        command::from_nothing(&mut state);
         state.draft = Draft::from(1, Source::New, &first);
         state.picker = None;
         press(&mut state, "Esc B B");
@@ -282,7 +282,7 @@ fn very_many_keys_while_building() {
 /// A crank on its pivot, its form ended.
 fn crank() -> State {
     let mut state = empty(None);
-    command::begin(&mut state);
+    command::from_nothing(&mut state);
     settle(&mut state);
     press(&mut state, "Enter Esc");
     state

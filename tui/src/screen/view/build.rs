@@ -2,34 +2,34 @@
 
 use assur_draft::Part;
 use assur_figure::cells::point_at;
-use assur_figure::{Axis, Bounds, Figure, Frame, Ink, Item, Panel, Scale, Sign, Stroke};
+use assur_figure::{Bounds, Figure, Ink, Item, Panel, Scale, Sign, Stroke};
 use assur_mechanism::GROUND;
 use assur_picture::mechanism::{self as picture};
 use assur_picture::{Arrows, Look};
 use assur_report::topic::About;
-use assur_sketch::{Addition, Sketch, Target};
-use assur_words::{Text, joined, list, name, number, quantity, text, unit};
+use assur_sketch::{Sketch, Target};
+use assur_words::{Text, joined, list, name, number, quantity, text};
 use ratatui::layout::{Constraint, Layout, Rect};
 
-use super::values;
+use super::{file, form};
 use crate::number::digits;
-use crate::screen::draw::{Pen, cells, cut, short, wrapped};
-use crate::screen::state::{FormSource, FormTask, MOVES, Role, State, Task, place, words_of};
+use crate::screen::draw::{Pen, cells, short, wrapped};
+use crate::screen::state::{MOVES, Role, State, Task, place, words_of};
 
 /// Part of the width for the form and the file, per cent, and its least.
 const SIDE: u16 = 42;
 const LEAST_SIDE: u16 = 36;
 /// Rows that the file has at least.
-const FILE: u16 = 7;
+pub(super) const FILE: u16 = 7;
 /// Measures of the motion that are shown.
 const MEASURES: usize = 4;
 /// Around the sketch, as part of its size.
-const MARGIN: f64 = 0.15;
+pub(super) const MARGIN: f64 = 0.15;
 
 pub(super) fn draw(pen: &mut Pen<'_>, area: Rect) {
     let [drawing, side] = parts(area);
     let state = pen.state;
-    match curve(state) {
+    match form::curve(state) {
         Some(curve) => pen.paint(&curve, drawing),
         None => pen.paint_zoomed(&figure(state), state.zoom, drawing),
     }
@@ -38,13 +38,13 @@ pub(super) fn draw(pen: &mut Pen<'_>, area: Rect) {
     }
     let side = Rect { x: side.x + 1, width: side.width.saturating_sub(1), ..side };
     let lines = match &state.build.task {
-        Task::Form(form) => return draw_form(pen, form, side),
+        Task::Form(task) => return form::draw(pen, task, side),
         _ => told(state, side.width.into()),
     };
     let rows = short(lines.len()).min(side.height.saturating_sub(FILE));
     let [top, file] = Layout::vertical([Constraint::Length(rows + 1), Constraint::Min(0)]).areas(side);
     pen.put_lines(top, 0, lines.iter().take(rows.into()));
-    draw_file(pen, file);
+    file::draw(pen, file);
 }
 
 fn parts(area: Rect) -> [Rect; 2] {
@@ -93,19 +93,6 @@ fn figure(state: &State) -> Figure {
         panel.items.extend(marks(state, sketch));
     }
     figure
-}
-
-/// The curve of the rows that are filled in, in the units of their columns.
-fn curve(state: &State) -> Option<Figure> {
-    let FormSource::Rows(at) = &state.build.form()?.source else { return None };
-    let rows = assur_form::rows(state.draft.text(), at)?;
-    let [x, y] = [0, 1].map(|axis| {
-        let label = list([rows.columns[axis].what.clone(), unit(rows.columns[axis].unit)]);
-        Axis::around(label, rows.curve.iter().map(|point| point[axis]), 0.0)
-    });
-    let items = vec![Item::line(rows.curve.clone(), Stroke::Solid, Ink::First)];
-    let frame = Frame::Axes { x, y, cursor: None };
-    Some(Figure::of(Panel { title: Text::default(), frame, items }))
 }
 
 fn bounds(sketch: &Sketch) -> Bounds {
@@ -238,7 +225,7 @@ fn of_part(state: &State, part: &Part, tell: &mut impl FnMut(Role, Text)) {
 }
 
 /// What the mechanism has become, and what it lacks.
-fn state_of(state: &State, width: usize) -> Vec<(Role, String)> {
+pub(super) fn state_of(state: &State, width: usize) -> Vec<(Role, String)> {
     let Some(read) = &state.build.read else { return Vec::new() };
     let mut lines = Vec::new();
     let mut tell = |role: Role, text: Text| {
@@ -266,150 +253,4 @@ fn state_of(state: &State, width: usize) -> Vec<(Role, String)> {
         tell(Role::Bad, text!("build-closings", all = list(closings.iter().map(closing)), key));
     }
     lines
-}
-
-/// The file as it is now; the lines that the last step has written are marked.
-fn draw_file(pen: &mut Pen<'_>, area: Rect) {
-    let state = pen.state;
-    let title = format!(" {} ", state.draft.source.short_name());
-    let rule: String = std::iter::repeat_n('─', area.width.into()).collect();
-    pen.put(area, 0, 0, &rule, Role::Dim);
-    pen.put(area, 1, 0, &title, Role::Header);
-    let inner = Rect { y: area.y + 1, height: area.height.saturating_sub(1), ..area };
-    let (text, before) = (state.draft.text(), state.draft.before());
-    let lines: Vec<&str> = text.lines().collect();
-    let written = before.map_or(0..0, |before| differing(before, text));
-    let height = usize::from(inner.height);
-    let last = lines.len().saturating_sub(height);
-    let middle = usize::midpoint(written.start, written.end);
-    let first = state.build.line.unwrap_or_else(|| middle.saturating_sub(height / 2)).min(last);
-    for (row, (index, line)) in lines.iter().enumerate().skip(first).take(height).enumerate() {
-        let is_written = written.contains(&index);
-        let (sign, role) = if is_written { ("+", Role::Chosen) } else { (" ", Role::Plain) };
-        pen.put(
-            inner,
-            0,
-            short(row),
-            &format!("{sign}{}", cut(line, usize::from(inner.width).saturating_sub(1))),
-            role,
-        );
-    }
-    pen.mark_rows(inner, first..lines.len().min(first + height), lines.len());
-}
-
-/// The lines of a text that differ from those of the text before.
-fn differing(before: &str, after: &str) -> std::ops::Range<usize> {
-    let (before, after): (Vec<&str>, Vec<&str>) = (before.lines().collect(), after.lines().collect());
-    let start = before.iter().zip(&after).take_while(|(a, b)| a == b).count();
-    let rest = before[start..].iter().rev().zip(after[start..].iter().rev());
-    let end = after.len() - rest.take_while(|(a, b)| a == b).count();
-    start..end.max(start)
-}
-
-/// A form: its fields, the sentence on the chosen one or what is wrong with it, and the file below.
-fn draw_form(pen: &mut Pen<'_>, form: &FormTask, area: Rect) {
-    let state = pen.state;
-    let width = usize::from(area.width);
-    let about: Vec<(Role, String)> = of_field(state, form, width);
-    let rows = form.rows.len() + 1;
-    let most = usize::from(area.height).saturating_sub(about.len() + usize::from(FILE));
-    let shown = rows.min(most.max(4));
-    let [top, below, file] = Layout::vertical([
-        Constraint::Length(short(shown)),
-        Constraint::Length(short(about.len())),
-        Constraint::Min(0),
-    ])
-    .areas(area);
-    pen.put(top, 0, 0, &state.told(form.heading.clone()), Role::Header);
-    let list = Rect { y: top.y + 1, height: top.height.saturating_sub(1), ..top };
-    let height = usize::from(list.height);
-    let skip = (form.chosen + 1).saturating_sub(height);
-    let widest = form.rows.iter().map(|row| row.label.chars().count()).max().unwrap_or(0).min(width / 2);
-    for (row, (index, field)) in form.rows.iter().enumerate().skip(skip).take(height).enumerate() {
-        let is_chosen = index == form.chosen;
-        let entry = form.entry.as_ref().filter(|_| is_chosen);
-        let value = entry.map_or(field.value.as_str(), |entry| entry);
-        let label = values::tail(&field.label, widest);
-        let sign = if is_chosen { '>' } else { ' ' };
-        let room = width.saturating_sub(widest + 3);
-        let value = if entry.is_some() {
-            format!("{}_", values::tail(value, room.saturating_sub(1)))
-        } else {
-            cut(value, room)
-        };
-        let role = match (is_chosen, field.stands) {
-            (true, _) => Role::Cursor,
-            (_, true) => Role::Plain,
-            _ => Role::Dim,
-        };
-        pen.put(list, 0, short(row), &format!("{sign}{label:<widest$}  {value}"), role);
-    }
-    pen.mark_rows(list, skip..form.rows.len().min(skip + height), form.rows.len());
-    pen.put_lines(below, 0, &about);
-    draw_file(pen, file);
-}
-
-/// The sentence on the chosen field, with what it may be; or why what is typed is not taken.
-fn of_field(state: &State, form: &FormTask, width: usize) -> Vec<(Role, String)> {
-    let mut lines = Vec::new();
-    let mut tell = |role: Role, text: Text| {
-        lines.extend(wrapped(&state.told(text), width).into_iter().map(|line| (role, line)));
-    };
-    if let Some(fault) = &form.fault {
-        tell(Role::Bad, fault.clone());
-    } else if let Some(field) = form.field() {
-        tell(Role::Dim, field.about.clone());
-        let limits = Some(&field.limits).filter(|limits| !limits.is_empty());
-        let values = std::iter::once(&field.values).chain(limits).cloned();
-        tell(Role::Dim, joined("; ", values));
-        if matches!(form.source, FormSource::Rows(_)) {
-            tell(Role::Dim, text!("build-row-keys"));
-        }
-    } else if let FormSource::Rows(_) = form.source {
-        tell(Role::Dim, text!("build-row-keys"));
-    } else {
-        tell(Role::Dim, text!("build-field-name"));
-    }
-    lines.truncate(5);
-    lines
-        .into_iter()
-        .chain(state_of(state, width).into_iter().filter(|(role, _)| *role == Role::Bad).take(3))
-        .collect()
-}
-
-/// A kind of group in characters: its links between their pairs.
-pub(crate) fn pattern(addition: &Addition) -> Figure {
-    let pattern = &addition.pattern;
-    let spread = |index: usize, count: usize| if count < 2 { 0.5 } else { index as f64 / (count - 1) as f64 };
-    let outer = |index: usize| [2.0 * spread(index, pattern.outer.len()), 0.0];
-    let inner =
-        |index: usize| [0.5 + spread(index, pattern.inner.len()), 1.0 + 0.2 * f64::from(index % 2 == 1)];
-    let mut joints = vec![Vec::new(); pattern.links];
-    let mut items = Vec::new();
-    let mut sign = |at: [f64; 2], is_slide: bool, is_outer: bool| {
-        let sign = match (is_slide, is_outer) {
-            (true, _) => Sign::Block,
-            (_, true) => Sign::Ring,
-            _ => Sign::Pin,
-        };
-        items.push(Item::sign(at, sign, Ink::Title));
-    };
-    for (index, (link, sort)) in pattern.outer.iter().enumerate() {
-        joints[*link].push(outer(index));
-        sign(outer(index), *sort == assur_group::PairSort::Slide, true);
-    }
-    for (index, (links, sort)) in pattern.inner.iter().enumerate() {
-        for link in links {
-            joints[*link].push(inner(index));
-        }
-        sign(inner(index), *sort == assur_group::PairSort::Slide, false);
-    }
-    for (link, mut corners) in joints.into_iter().enumerate() {
-        if corners.len() > 2 {
-            corners.extend(corners.first().copied());
-        }
-        items.insert(0, Item::line(corners, Stroke::Thick, Ink::Link(link + 1)));
-    }
-    let bounds = Bounds::around([[0.0, 0.0], [2.0, 1.4]].into_iter()).widened(MARGIN);
-    Figure::of(Panel::plane(bounds, Scale::of("", ""), items))
 }

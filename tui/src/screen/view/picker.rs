@@ -6,7 +6,6 @@ use assur_words::{Text, name, number, text};
 use ratatui::layout::{Constraint, Layout, Rect};
 use ratatui::widgets::{Clear, Widget};
 
-use super::build;
 use crate::screen::draw::{Pen, cut, short};
 use crate::screen::state::{Choice, Picker, PickerKind, Role, Scene, Series, State};
 
@@ -78,7 +77,7 @@ fn pattern(pen: &mut Pen<'_>, choice: &Choice, area: Rect) {
         .into_iter()
         .find(|addition| addition.name == choice.name);
     if let Some(addition) = found {
-        pen.paint(&build::pattern(&addition), area);
+        pen.paint(&super::pattern::figure(&addition), area);
     }
 }
 
