@@ -5,11 +5,11 @@ use std::path::Path;
 use assur_draft::Part;
 use assur_mechanism::Key;
 use assur_scene::edit::ParsedText;
-use assur_sketch::{Addition, Drive, Names, Sketch, Start, additions, drives};
+use assur_sketch::{Addition, Drive, Sketch, Start, additions, drives};
 use assur_words::text;
 use crossterm::event::KeyCode;
 
-use super::{choices, draft, form, found, join};
+use super::{choices, draft, fields, form, join, reading};
 use crate::screen::state::{
     Build, Choice, Draft, FormSource, Join, Key as CommandKey, Picker, PickerKind, Question, Recovered, Role,
     Source, State, Task, View,
@@ -40,7 +40,7 @@ pub(crate) fn new(state: &mut State) {
     (state.view, state.playing, state.position) = (View::Build, false, 0);
     let row = |(id, _): (&'static str, Start)| Choice { name: id.to_owned(), text: state.told(text!(id)) };
     let rows = STARTS.map(row).to_vec();
-    found::refresh(state);
+    reading::refresh(state);
     state.picker = Some(Picker::new(PickerKind::Starts, text!("build-start"), rows));
 }
 
@@ -93,17 +93,6 @@ pub(super) fn add(state: &mut State) {
     state.picker = Some(Picker::new(PickerKind::Additions, text!("build-add"), rows));
 }
 
-/// Keys of which those of both coordinates of a place are one.
-pub(super) fn whole(keys: Vec<Key>) -> Vec<Key> {
-    let mut unique: Vec<Key> = Vec::new();
-    for key in keys.into_iter().map(|key| key.of_list()) {
-        if !unique.contains(&key) {
-            unique.push(key);
-        }
-    }
-    unique
-}
-
 /// The form of a new scene: the names and numbers of its input.
 pub(super) fn begun(state: &mut State) {
     let Some(Sketch { mechanism, .. }) = state.build.sketch() else { return };
@@ -111,7 +100,7 @@ pub(super) fn begun(state: &mut State) {
     let links = mechanism.links.iter().skip(1).map(|link| Part::Link(link.name.to_string()));
     let keys = ParsedText::of(state.draft.text()).values().into_iter().map(|value| value.key).collect();
     let from = Key::of("input").at("from");
-    let mut unique = whole(keys);
+    let mut unique = fields::whole(keys);
     // The origin of the frame of a link is no number to fill in.
     unique.retain(|key| key.to_string() != "link.crank.points.O");
     if !unique.contains(&from) {
@@ -149,24 +138,6 @@ pub(super) fn take(state: &mut State, kind: PickerKind, taken: &str) {
         PickerKind::Tables => choices::of_table(state, taken),
         PickerKind::Choices => choices::choose(state, taken),
         _ => {}
-    }
-}
-
-/// Adds the group whose pairs are joined now.
-pub(super) fn finish(state: &mut State, join: &Join) {
-    let Some(sketch) = state.build.sketch() else { return };
-    let added =
-        assur_sketch::add(state.draft.text(), sketch, &join.addition, &join.targets, &Names::default());
-    match added {
-        Ok(added) => {
-            if draft::take(state, Ok(added.text)) {
-                state.build.chosen = added.links.last().cloned().map(Part::Link);
-                let links = added.links.into_iter().map(Part::Link);
-                let parts = links.chain(added.points.into_iter().map(Part::Point)).collect();
-                form::open(state, FormSource::Made(parts, whole(added.fields)));
-            }
-        }
-        Err(problem) => state.say(Role::Bad, problem),
     }
 }
 

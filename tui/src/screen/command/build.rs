@@ -7,7 +7,7 @@ use ratatui::layout::Rect;
 
 use super::{begin, choices, draft, form, found, join};
 use crate::number::digits;
-use crate::screen::state::{Entry, FormSource, MOVES, PromptKind, Role, State, Task, View, place, round};
+use crate::screen::state::{Entry, FormSource, MOVES, PromptKind, Role, State, Task, place, round};
 use crate::screen::view;
 
 /// Lines by which the file is scrolled.
@@ -39,19 +39,7 @@ pub(super) fn next(state: &mut State, by: isize) {
         None => things.len().saturating_sub(1),
     };
     state.build.chosen = things.get(next).cloned();
-    follow(state);
-}
-
-/// The group of the chosen link is that of the view of the structure as well.
-pub(super) fn follow(state: &mut State) {
-    if state.view != View::Build {
-        return;
-    }
-    let (Some(Part::Link(link)), Some(scene)) = (&state.build.chosen, &state.scene) else { return };
-    let found = scene.linkage.mechanism.link(link);
-    let groups = &scene.linkage.structure.groups;
-    let group = found.and_then(|link| groups.iter().position(|group| group.frame.links.contains(&link)));
-    state.chosen.group = group.unwrap_or(state.chosen.group);
+    state.follow();
 }
 
 /// Goes in a direction of the picture: moves the chosen thing, or chooses the nearest one there.
@@ -65,7 +53,7 @@ pub(super) fn go(state: &mut State, direction: [f64; 2]) {
     let from = state.build.chosen.as_ref().and_then(|part| place(sketch, part));
     let next = join::nearest_in(&places, from, direction).cloned();
     state.build.chosen = next.or(state.build.chosen.take());
-    follow(state);
+    state.follow();
 }
 
 /// Moves the chosen thing by a step.
@@ -104,7 +92,7 @@ pub(super) fn drag(state: &mut State, area: Rect, cell: [u16; 2], begins: bool) 
             |(place, part): &([f64; 2], Part)| (place[0] - at[0]).hypot(place[1] - at[1]) + behind(part);
         let near = places.iter().min_by(|a, b| distance(a).total_cmp(&distance(b)));
         (state.build.chosen, state.build.dragged) = (near.map(|(_, part)| part.clone()), false);
-        follow(state);
+        state.follow();
         return true;
     }
     let Some(Part::Point(point)) = &state.build.chosen else {

@@ -1,12 +1,10 @@
 //! What is chosen rather than typed in a form: words, tables and rows as values, tables that are opened or added.
 
-use assur_form::{Change, Field, added, deleted, inserted, made, put, rod, rows, sections};
-use assur_mechanism::{Key as SceneKey, Step};
+use assur_form::{Field, added, deleted, inserted, made, put, rows, sections};
+use assur_mechanism::Key as SceneKey;
 use assur_words::{list, name, text};
 
-use super::draft;
-use super::fields::renew;
-use super::form::{leave, open, open_within};
+use super::form::{changed, leave, open, open_within};
 use crate::screen::state::{Choice, FormSource, FormTask, Picker, PickerKind, Role, State, round};
 
 /// Before the number of a table that may stand in a field, in the name of a choice.
@@ -89,21 +87,6 @@ pub(super) fn take(state: &mut State, field: &Field, toml: &str) {
     changed(state, change);
 }
 
-/// Takes what a step of a form has made; a fault at its own key leaves the text as it is.
-pub(super) fn changed(state: &mut State, change: Change) -> bool {
-    let is_taken = change.here.is_none();
-    if let Some(fault) = change.here {
-        state.say(Role::Bad, fault.message);
-    } else {
-        draft::take(state, Ok(change.text));
-        if let Some(fault) = change.elsewhere.into_iter().next() {
-            state.say(Role::Bad, fault.message);
-        }
-    }
-    renew(state);
-    is_taken
-}
-
 /// Adds a row behind the chosen one, or a point to a link.
 pub(super) fn insert(state: &mut State) {
     match state.build.form().map(|form| (form.source.clone(), form.chosen)) {
@@ -126,21 +109,6 @@ pub(super) fn remove(state: &mut State) {
     } else if let Some(field) = form.field().cloned() {
         take(state, &field, "");
     }
-}
-
-/// The chosen link as a rod of so much mass per meter, which is typed into the field of its mass: `3 kg/m`.
-pub(super) fn rod_of(state: &mut State, typed: &str) -> bool {
-    let per_meter =
-        typed.strip_suffix("kg/m").and_then(|number| number.trim().replace(',', ".").parse::<f64>().ok());
-    let link = state.build.form().and_then(FormTask::field).and_then(|field| match field.key.steps() {
-        [first, Step::Name(link), mass] if *first == "link".into() && *mass == "mass".into() => {
-            Some(link.clone())
-        }
-        _ => None,
-    });
-    let (Some(per_meter), Some(link)) = (per_meter, link) else { return false };
-    let change = rod(state.draft.text(), &link, per_meter);
-    changed(state, change)
 }
 
 /// Lists the tables of the scene: those that stand, and those that can be added.

@@ -86,7 +86,7 @@ pub(super) fn redo(state: &mut State) {
 
 /// Requests the scene of the present text, unless it is shown or the one before is still being read.
 pub(super) fn ask(state: &mut State) {
-    super::found::refresh(state);
+    super::reading::refresh(state);
     let State { draft, build, scene, .. } = state;
     if draft.reading == Reading::Runs {
         return;

@@ -112,3 +112,14 @@ pub(super) fn name_of(part: &Part) -> String {
         Part::Load(table, index) => format!("{table}[{index}]"),
     }
 }
+
+/// Keys of which those of both coordinates of a place are one.
+pub(super) fn whole(keys: Vec<SceneKey>) -> Vec<SceneKey> {
+    let mut unique: Vec<SceneKey> = Vec::new();
+    for key in keys.into_iter().map(|key| key.of_list()) {
+        if !unique.contains(&key) {
+            unique.push(key);
+        }
+    }
+    unique
+}

@@ -3,13 +3,12 @@
 use std::sync::Arc;
 
 use assur_draft::{Part, rename};
-use assur_form::{Field, put};
-use assur_mechanism::Key as SceneKey;
+use assur_form::{Change, Field, put, rod};
+use assur_mechanism::{Key as SceneKey, Step};
 use assur_words::text;
-use crossterm::event::KeyCode;
 
-use super::{choices, draft, fields};
-use crate::screen::state::{Entry, FormSource, FormTask, Key, Role, Row, RowKind, State, Task, round};
+use super::{draft, fields};
+use crate::screen::state::{Entry, FormSource, FormTask, Role, Row, RowKind, State, Task, round};
 
 /// Opens a form in place of the task in hand.
 pub(super) fn open(state: &mut State, source: FormSource) {
@@ -58,44 +57,6 @@ pub(super) fn at(state: &mut State, key: &SceneKey) {
     let is_field =
         |row: &Row| matches!(&row.kind, RowKind::Value(field) if key.steps().starts_with(field.key.steps()));
     form.chosen = form.rows.iter().position(is_field).unwrap_or(0);
-}
-
-pub(super) fn press(state: &mut State, key: Key) {
-    let Some(form) = state.build.form_mut() else { return };
-    let typing = form.entry.is_some();
-    match key.code {
-        KeyCode::Enter => enter(state),
-        KeyCode::Down | KeyCode::Tab => leave(state, 1),
-        KeyCode::Up | KeyCode::BackTab => leave(state, -1),
-        KeyCode::Left | KeyCode::Right if !typing => {
-            choices::turn(state, if key.code == KeyCode::Right { 1 } else { -1 });
-        }
-        KeyCode::Char(' ') if !typing => choices::offer(state),
-        // What stands is changed at its end.
-        KeyCode::Backspace if !typing => {
-            let now = form.row().filter(|row| row.stands).map_or_else(String::new, |row| match &row.kind {
-                RowKind::Value(field) => field.shown(),
-                RowKind::Name(_) => row.value.clone(),
-            });
-            typed(state, |entry| {
-                *entry = now.as_str().into();
-                entry.press(key)
-            });
-        }
-        KeyCode::Home if end(state) => state.build.form_mut().into_iter().for_each(|form| form.chosen = 0),
-        KeyCode::End if end(state) => {
-            state
-                .build
-                .form_mut()
-                .into_iter()
-                .for_each(|form| form.chosen = form.rows.len().saturating_sub(1));
-        }
-        KeyCode::Home | KeyCode::End => {}
-        KeyCode::Delete if typing => close(state),
-        KeyCode::Delete => choices::remove(state),
-        KeyCode::Insert if end(state) => choices::insert(state),
-        _ => typed(state, |entry| entry.press(key)),
-    }
 }
 
 /// Changes what is typed, and takes it into the text if it may stand there.
@@ -147,7 +108,7 @@ pub(super) fn end(state: &mut State) -> bool {
     let Some(form) = state.build.form() else { return true };
     let Some(typed) = form.entry.as_ref().map(|entry| entry.trim().to_owned()) else { return true };
     let (fault, kind) = (form.fault.clone(), form.row().map(|row| row.kind.clone()));
-    if let Some(fault) = fault.filter(|_| !choices::rod_of(state, &typed)) {
+    if let Some(fault) = fault.filter(|_| !rod_of(state, &typed)) {
         state.say(Role::Bad, fault);
         return false;
     }
@@ -211,7 +172,7 @@ fn pieces<'e>(form: &FormTask, entry: &'e str) -> Vec<&'e str> {
 }
 
 /// Fills the chosen field and those behind it with what is typed for several of them; stops at one that is not taken.
-fn fill(state: &mut State) {
+pub(super) fn fill(state: &mut State) {
     let Some((form, entry)) = state.build.form().and_then(|form| Some((form, form.entry.clone()?))) else {
         return;
     };
@@ -240,23 +201,6 @@ fn put_in(state: &mut State, piece: &str) {
     });
 }
 
-/// Enter: the next field; of a table its own form; behind the last field the form is done.
-fn enter(state: &mut State) {
-    fill(state);
-    let typing = state.build.form().is_some_and(|form| form.entry.is_some());
-    if !end(state) {
-        return;
-    }
-    let Some(form) = state.build.form() else { return };
-    let within = form.field().filter(|_| !typing).and_then(|field| choices::within(state, field));
-    let is_last = form.chosen + 1 >= form.rows.len();
-    match within {
-        Some(source) => open_within(state, source),
-        None if is_last => close(state),
-        None => leave(state, 1),
-    }
-}
-
 /// Back to the form from which this one was opened, or to the picture. What is typed and was not ended is taken back.
 pub(super) fn close(state: &mut State) {
     let Some(form) = state.build.form_mut() else { return };
@@ -274,4 +218,34 @@ pub(super) fn close(state: &mut State) {
         }
         None => state.build.task = Task::Choose,
     }
+}
+
+/// Takes what a step of a form has made; a fault at its own key leaves the text as it is.
+pub(super) fn changed(state: &mut State, change: Change) -> bool {
+    let is_taken = change.here.is_none();
+    if let Some(fault) = change.here {
+        state.say(Role::Bad, fault.message);
+    } else {
+        draft::take(state, Ok(change.text));
+        if let Some(fault) = change.elsewhere.into_iter().next() {
+            state.say(Role::Bad, fault.message);
+        }
+    }
+    fields::renew(state);
+    is_taken
+}
+
+/// The chosen link as a rod of so much mass per meter, which is typed into the field of its mass: `3 kg/m`.
+pub(super) fn rod_of(state: &mut State, typed: &str) -> bool {
+    let per_meter =
+        typed.strip_suffix("kg/m").and_then(|number| number.trim().replace(',', ".").parse::<f64>().ok());
+    let link = state.build.form().and_then(FormTask::field).and_then(|field| match field.key.steps() {
+        [first, Step::Name(link), mass] if *first == "link".into() && *mass == "mass".into() => {
+            Some(link.clone())
+        }
+        _ => None,
+    });
+    let (Some(per_meter), Some(link)) = (per_meter, link) else { return false };
+    let change = rod(state.draft.text(), &link, per_meter);
+    changed(state, change)
 }

@@ -3,12 +3,12 @@
 use assur_draft::Part;
 use assur_group::PairSort;
 use assur_mechanism::GROUND;
-use assur_sketch::{Sketch, Target};
+use assur_sketch::{Names, Sketch, Target};
 use assur_words::{Text, name, text};
 use crossterm::event::KeyCode;
 
-use super::begin;
-use crate::screen::state::{Entry, Join, Key, Role, State, Task, place, round};
+use super::{draft, fields, form};
+use crate::screen::state::{Entry, FormSource, Join, Key, Role, State, Task, place, round};
 
 /// Half of the opening of the sector in which a direction looks for things: the tangent of 60 degrees.
 const SECTOR: f64 = 1.75;
@@ -19,7 +19,7 @@ pub(super) fn go_on(state: &mut State) {
     (join.entry, join.chosen) = (Entry::default(), None);
     if join.pair().is_none() {
         let Task::Join(join) = std::mem::take(&mut state.build.task) else { return };
-        begin::finish(state, &join);
+        finish(state, &join);
     }
 }
 
@@ -176,4 +176,22 @@ pub(super) fn of_words(sketch: &Sketch, join: &Join, words: &str) -> Result<Targ
         return Err(text!("build-where-on-link", link = name(own)));
     }
     Ok(Target::New { link: own, at })
+}
+
+/// Adds the group whose pairs are joined now.
+pub(super) fn finish(state: &mut State, join: &Join) {
+    let Some(sketch) = state.build.sketch() else { return };
+    let added =
+        assur_sketch::add(state.draft.text(), sketch, &join.addition, &join.targets, &Names::default());
+    match added {
+        Ok(added) => {
+            if draft::take(state, Ok(added.text)) {
+                state.build.chosen = added.links.last().cloned().map(Part::Link);
+                let links = added.links.into_iter().map(Part::Link);
+                let parts = links.chain(added.points.into_iter().map(Part::Point)).collect();
+                form::open(state, FormSource::Made(parts, fields::whole(added.fields)));
+            }
+        }
+        Err(problem) => state.say(Role::Bad, problem),
+    }
 }

@@ -7,6 +7,7 @@ mod choices;
 mod draft;
 mod fields;
 mod form;
+mod form_keys;
 mod found;
 mod jobs;
 mod join;
@@ -16,6 +17,7 @@ mod modes;
 mod motors;
 mod picker;
 mod probe;
+mod reading;
 mod table;
 mod tour;
 mod write;
@@ -32,7 +34,8 @@ pub(crate) use draft::toggle;
 pub(crate) use write::grant;
 
 use super::state::{
-    Command, Group, Key, LONGEST, PickerKind, PromptKind, Purpose, Role, State, Stop, Task, View, round,
+    Command, Group, Key, LONGEST, PickerKind, PromptKind, Purpose, Question, Role, State, Stop, Task, View,
+    round,
 };
 use super::view;
 
@@ -65,7 +68,10 @@ fn pass(state: &mut State, event: KeyEvent) {
         return (command.run)(state);
     }
     if let Some(question) = state.question.take() {
-        return write::answer(state, question, key);
+        return match question {
+            Question::Overwrite(file) => write::answer(state, file, key),
+            Question::Recover(found) => begin::recover(state, found, key),
+        };
     }
     if state.prompt.is_some() {
         return press_in_line(state, key);
@@ -77,7 +83,7 @@ fn pass(state: &mut State, event: KeyEvent) {
             (Task::Delete(_), _) => {
                 return build::answer_delete(state, matches!(key.code, KeyCode::Char('y' | 'Y')));
             }
-            (Task::Form(_), _) if !is_help => return form::press(state, key),
+            (Task::Form(_), _) if !is_help => return form_keys::press(state, key),
             (Task::Join(_), _) if !is_help => return join::press(state, key),
             _ => {}
         }
@@ -115,7 +121,7 @@ fn pass(state: &mut State, event: KeyEvent) {
 /// text is at its end.
 pub(crate) fn prepare(state: &mut State) {
     picker::preview(state);
-    found::look_for_closings(state);
+    reading::look_for_closings(state);
     tour::go_on(state);
     if state.entry().is_some_and(|entry| entry.cut) {
         state.say(Role::Bad, text!("say-too-long", most = number(LONGEST)));

@@ -6,7 +6,7 @@ use assur_kinematics::Modes;
 use assur_mechanism::Point;
 use assur_words::{ordinal, text};
 
-use super::{build, draft};
+use super::draft;
 use crate::screen::state::{Assembled, Role, Scene, State, round};
 
 /// Greatest distance at which a mode is still identified with the nearest one of the changed mechanism, rad or parts of the scale.
@@ -14,7 +14,7 @@ const VANISHED: f64 = 0.5;
 
 /// Shows the next (1) or previous (-1) mode of the chosen group, in the first position.
 pub(super) fn show(state: &mut State, by: isize) {
-    build::follow(state);
+    state.follow();
     let group = state.chosen.group;
     let Some(modes) = state.scene.as_ref().and_then(|scene| scene.modes(group, 0)) else {
         return state.say(Role::Plain, text!("say-no-modes"));

@@ -9,7 +9,6 @@ use assur_report::csv::{self, CsvCell};
 use assur_words::{Describe, Text, name, text};
 use crossterm::event::KeyCode;
 
-use super::begin;
 use crate::files;
 use crate::screen::state::{Effect, Job, Key, OutputFile, Question, Role, Scene, State, View, ViewPart};
 use crate::screen::view;
@@ -217,11 +216,8 @@ pub(crate) fn grant(state: &mut State, file: OutputFile) {
     }
 }
 
-pub(super) fn answer(state: &mut State, question: Question, key: Key) {
-    let file = match question {
-        Question::Overwrite(file) => file,
-        Question::Recover(found) => return begin::recover(state, found, key),
-    };
+/// The answer to "overwrite?".
+pub(super) fn answer(state: &mut State, file: OutputFile, key: Key) {
     if matches!(key.code, KeyCode::Char('y' | 'Y')) {
         state.message = None;
         state.effects.push(Effect::Write(OutputFile { overwrite: true, ..file }));

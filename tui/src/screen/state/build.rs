@@ -8,6 +8,8 @@ use assur_mechanism::{GROUND, Key, Step};
 use assur_sketch::{Addition, Closing, Sketch, Target};
 use assur_words::{Text, name, text};
 
+use super::State;
+use super::kinds::View;
 use super::picker::Entry;
 
 /// Steps by which a key moves a point, m.
@@ -254,5 +256,19 @@ fn part_of(key: &Key) -> Option<Part> {
         [Step::Name(table), slide, ..] if table == "slide" => Some(Part::Slide(named(slide)?)),
         [Step::Name(table), point, ..] if table == "assembly" => Some(Part::Point(named(point)?)),
         _ => None,
+    }
+}
+
+impl State {
+    /// The group of the chosen link is that of the view of the structure as well.
+    pub(crate) fn follow(&mut self) {
+        if self.view != View::Build {
+            return;
+        }
+        let (Some(Part::Link(link)), Some(scene)) = (&self.build.chosen, &self.scene) else { return };
+        let found = scene.linkage.mechanism.link(link);
+        let groups = &scene.linkage.structure.groups;
+        let group = found.and_then(|link| groups.iter().position(|group| group.frame.links.contains(&link)));
+        self.chosen.group = group.unwrap_or(self.chosen.group);
     }
 }
