@@ -660,7 +660,7 @@ build-field-name = a new name is written wherever the old one stands
 build-form-keys = type, Enter: next  Up/Down  Space: choices  Left/Right: change  Del: default  { $close }: done
 build-join-keys = type or arrows, Tab: choose  Enter: take  Backspace: the pair before  { $close }: leave
 build-move-keys = arrows: move  %: step  Enter: done  u: undo  { $close }: leave
-recover = unsaved changes of { $scene }: y: open them, n: throw them away, other keys: later
+recover = unsaved changes of { $scene }: y: open, n: throw away, other keys: later
 cli-needs-a-terminal = this needs a terminal; assur new FILE writes a scene to begin with
 
 # The tour.

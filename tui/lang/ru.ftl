@@ -652,7 +652,7 @@ build-field-name = новое имя будет везде, где стоит с
 build-form-keys = набор, Enter: далее  Up/Down  Space: выбор  Left/Right: смена  Del: обычное  { $close }: готово
 build-join-keys = набор или стрелки, Tab: выбор  Enter: взять  Backspace: пара раньше  { $close }: выйти
 build-move-keys = стрелки: двигать  %: шаг  Enter: готово  u: отменить  { $close }: выйти
-recover = несохранённые изменения { $scene }: y: открыть, n: отбросить, другие клавиши: позже
+recover = несохранённые изменения { $scene }: y: открыть, n: отбросить, другие: позже
 cli-needs-a-terminal = для этого нужен терминал; assur new ФАЙЛ записывает сцену для начала
 
 # The tour.

@@ -649,7 +649,7 @@ build-field-name = нове ім'я буде скрізь, де стоїть с�
 build-form-keys = набір, Enter: далі  Up/Down  Space: вибір  Left/Right: зміна  Del: типове  { $close }: готово
 build-join-keys = набір чи стрілки, Tab: вибір  Enter: узяти  Backspace: попередня пара  { $close }: вийти
 build-move-keys = стрілки: рухати  %: крок  Enter: готово  u: скасувати  { $close }: вийти
-recover = незбережені зміни { $scene }: y: відкрити, n: відкинути, інші клавіші: пізніше
+recover = незбережені зміни { $scene }: y: відкрити, n: відкинути, інші: пізніше
 cli-needs-a-terminal = для цього потрібен термінал; assur new ФАЙЛ записує сцену для початку
 
 # The tour.

@@ -1,9 +1,9 @@
 //! What may be chosen for a key by name.
 
-use assur_mechanism::{Key, appearance};
+use assur_mechanism::Key;
 use assur_scene::edit::quoted;
 use assur_scene::reference::ValueKind;
-use assur_words::{Language, Text, name};
+use assur_words::{Text, name};
 
 use crate::sort::is_possible;
 use crate::tables::{Tables, last, owner};
@@ -31,18 +31,6 @@ impl Choice {
     fn flag(toml: &'static str) -> Self {
         Self { toml: toml.to_owned(), label: name(toml) }
     }
-}
-
-/// The choices that contain every word of what was typed, in any order, regardless of case and of letters that look alike; all, where
-/// nothing was typed.
-pub fn found<'c>(choices: &'c [Choice], typed: &str, language: &Language) -> Vec<&'c Choice> {
-    let plain = |text: &str| appearance(text).to_lowercase();
-    let words: Vec<String> = typed.split_whitespace().map(plain).collect();
-    let has_all = |choice: &&Choice| {
-        let text = plain(&format!("{} {}", choice.toml, choice.label.render(language)));
-        words.iter().all(|word| text.contains(word.as_str()))
-    };
-    choices.iter().filter(has_all).collect()
 }
 
 /// The choices for a key that takes these kinds of values.

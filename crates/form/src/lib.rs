@@ -37,7 +37,7 @@ mod typed;
 
 pub use added::{added, made};
 pub use change::{Change, put};
-pub use choices::{Choice, Offers, found};
+pub use choices::{Choice, Offers};
 pub use fault::{Fault, faults};
 pub use field::{Field, Opening, field};
 pub use form::{Form, table};

@@ -69,17 +69,6 @@ impl Addition {
         Self { name, title, about, pattern, plugin, sorts }
     }
 
-    /// The pairs whose sort is the caller's to choose, as indices in `sorts`.
-    pub fn open(&self) -> Vec<usize> {
-        let sorts = self
-            .pattern
-            .inner
-            .iter()
-            .map(|(_, sort)| sort)
-            .chain(self.pattern.outer.iter().map(|(_, sort)| sort));
-        sorts.enumerate().filter(|(_, sort)| **sort == Any).map(|(pair, _)| pair).collect()
-    }
-
     /// The sorts of its outer pairs, for each of which [`add`](crate::add) wants a target.
     pub fn outer(&self) -> &[PairSort] {
         self.sorts.get(self.pattern.inner.len()..).unwrap_or_default()

@@ -137,7 +137,8 @@ fn marks(state: &State, sketch: &Sketch) -> Vec<Item> {
     let mut mark = |part: &Part, ink: Ink| {
         let Some(at) = place(sketch, part) else { return };
         items.push(Item::sign(at, Sign::Cross, ink));
-        let (Part::Point(word) | Part::Link(word) | Part::Slide(word)) = part else { return };
+        // The name of a point stands there already.
+        let (Part::Link(word) | Part::Slide(word)) = part else { return };
         items.push(Item::name(at, name(word.clone()), ink));
     };
     if let Task::Join(task) = &state.build.task {
