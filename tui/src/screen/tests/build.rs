@@ -350,3 +350,14 @@ fn a_new_scene_that_is_saved_counts_its_changes_from_its_file() {
     press(&mut state, "S Enter");
     assert!(state.question.is_none());
 }
+
+#[test]
+fn a_number_of_a_text_with_faults_is_changed_where_it_stands() {
+    let first = shipped("shaper");
+    let mut draft = Draft::from(0, Source::New, first);
+    let index = draft.values.iter().position(|value| value.key.to_string() == "link.crank.points.A").unwrap();
+    // The values are those of the text before: a text with a fault has none.
+    let faulty = format!("nonsense = 1\n{first}");
+    assert!(draft.take(&faulty) && draft.put(index, "\"90 mm\""));
+    assert_eq!(**draft.text(), faulty.replace("A = \"100 mm\"", "A = \"90 mm\""));
+}
