@@ -7,7 +7,7 @@
 
 use assur_number::Real;
 
-use crate::solver::{Solver, arms, driven_row, rows};
+use crate::solver::{Solver, arms, driven_row, entries, rows};
 use crate::{Body, Forces, GroupError, GroupFrame, Order, Pair, Wrench, plane::minus};
 
 /// Calls a function with the solver for the number of links as its first type.
@@ -154,7 +154,8 @@ pub(crate) fn derive_by<T: Real, S: Solver<T>>(
     // Both orders use the same J, which is factored once.
     for second in [false, true].into_iter().take(if order < Order::Second { 1 } else { 2 }) {
         right_side(frame, bodies, second, right.as_mut());
-        let found = lu.solve(&right);
+        let mut found = lu.solve(&right);
+        refine(lu, frame, bodies, &mut right, &mut found);
         for (rates, &link) in found.as_ref().chunks_exact(3).zip(&frame.links) {
             let (x, y, w, body) = (rates[0] * scale, rates[1] * scale, rates[2], &mut bodies[link]);
             if second {
@@ -166,6 +167,22 @@ pub(crate) fn derive_by<T: Real, S: Solver<T>>(
         GroupError::if_nan(found.as_ref().iter().fold(T::ZERO, |sum, &entry| sum + entry))?;
     }
     Ok(())
+}
+
+/// Makes each unknown as accurate as the rounding of its own equations allows: elimination alone leaves in all of them the rounding of
+/// the greatest, as of a link that turns fast in the accelerations of one that hardly moves. One step of refinement makes the
+/// residual of each equation a rounding of its own terms (Skeel). `right`: the right-hand sides, of which the residuals are left.
+fn refine<T: Real, S: Solver<T>>(
+    lu: &S,
+    frame: &GroupFrame,
+    bodies: &[Body<T>],
+    right: &mut S::Vector,
+    found: &mut S::Vector,
+) {
+    let residual = right.as_mut();
+    entries(frame, bodies, |row, column, entry| residual[row] -= entry * found.as_ref()[column]);
+    let step = lu.solve(right);
+    found.as_mut().iter_mut().zip(step.as_ref()).for_each(|(unknown, step)| *unknown += *step);
 }
 
 /// Dimensionless determinant of any placed group: smallest over greatest pivot of its J; 0 if the general solution

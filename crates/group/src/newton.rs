@@ -185,15 +185,16 @@ fn residual<T: Real>(frame: &GroupFrame, bodies: &[Body<T>], phi: &mut [T]) -> f
 fn newton_sized<T: Real, S: Solver<T>>(frame: &GroupFrame, bodies: &mut [Body<T>]) -> Result<S, GroupError> {
     let mut phi = S::zeros(frame);
     let mut size = residual(frame, bodies, phi.as_mut());
-    let mut before = f64::INFINITY;
+    let mut least = f64::INFINITY;
     for _ in 0..MOST_STEPS {
         let lu = S::factor(frame, bodies, false);
         lu.determined()?;
-        // Converged when a further step does not reduce the residual: the rest is rounding.
-        if size <= 64.0 * T::EPSILON && size >= before.min(4.0 * T::EPSILON) || size == 0.0 {
+        // Converged when no further step reduces the residual: the rest is rounding.
+        if size <= 64.0 * T::EPSILON && size >= least || size == 0.0 {
             return Ok(lu);
         }
-        before = size;
+        let before = size;
+        least = least.min(size);
         let step = lu.solve(&phi);
         let turn = step.as_ref().chunks_exact(3).map(|part| part[2].abs().greatest()).fold(0.0, f64::max);
         let mut part = if turn > MOST_TURN { MOST_TURN / turn } else { 1.0 };

@@ -45,3 +45,13 @@ fn a_method_that_is_ill_conditioned_by_itself_is_measured_by_its_own_rounding() 
         assert!(hold(&all), "{distance:e}\n{}", show(&all));
     }
 }
+
+#[test]
+fn a_group_of_very_different_accelerations_keeps_the_digits_of_the_small_ones() {
+    // The cylinder has almost its greatest length: an arm turns with 3.5e4 rad/m² while the pin L has an acceleration of 0.025 1/m.
+    let path = format!("{}/../../fixtures/scissor-lift.toml", env!("CARGO_MANIFEST_DIR"));
+    let text = std::fs::read_to_string(path).unwrap();
+    let text = text.replacen("M = \"600 mm\"", "M = \"-1 mm\"", 1).replace("\"500 mm\"", "\"400 mm\"");
+    let all = checks(&scene(&text.replace("positions = 12", "positions = 7")));
+    assert!(hold(&all), "{}", show(&all));
+}
