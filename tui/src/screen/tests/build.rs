@@ -90,20 +90,26 @@ fn play(keys: &[String]) -> (State, usize) {
     let mut state = empty(None);
     command::from_nothing(&mut state);
     settle(&mut state);
+    let count = play_on(&mut state, keys);
+    (state, count)
+}
+
+/// Plays keys from where a state is; the number of those beyond names and numbers.
+fn play_on(state: &mut State, keys: &[String]) -> usize {
     let mut count = 0;
     for piece in keys {
         if let Some(typed) = piece.strip_prefix('"') {
-            type_in(&mut state, typed);
+            type_in(state, typed);
         } else if Key::parse(piece).is_some() {
-            press(&mut state, piece);
+            press(state, piece);
             count += 1;
         } else {
-            type_in(&mut state, piece);
+            type_in(state, piece);
             count += piece.chars().count();
         }
-        let _ = text(&state, 80, 24);
+        let _ = text(state, 80, 24);
     }
-    (state, count)
+    count
 }
 
 fn type_in(state: &mut State, typed: &str) {
@@ -360,4 +366,30 @@ fn a_number_of_a_text_with_faults_is_changed_where_it_stands() {
     let faulty = format!("nonsense = 1\n{first}");
     assert!(draft.take(&faulty) && draft.put(index, "\"90 mm\""));
     assert_eq!(**draft.text(), faulty.replace("A = \"100 mm\"", "A = \"90 mm\""));
+}
+
+/// The tour, by the keys that its texts name. Its last step, that of saving, ends with the answer of whoever writes the file.
+#[test]
+fn each_step_of_the_tour_ends_by_the_keys_that_it_names() {
+    let mut state = empty(None);
+    command::tour(&mut state);
+    settle(&mut state);
+    let masses = format!("b {} \"30 kg; 0, 0; 0.9 kg*m^2\" Enter Esc", "Down ".repeat(12));
+    let steps = [
+        "Enter Esc",
+        "A rpr Enter \"A\" Enter \"0, -400\" Enter \"stone2; rocker\" Enter Down \"D; 700 mm\" Up Up \"C\" Enter Esc",
+        "A rpp Enter \"D\" Enter \"0, 270\" Enter \"stone4; ram\" Enter Esc",
+        "Space Space Tab g Right Esc u",
+        &masses,
+        "T motion Enter Down \"60 rpm\" Enter Esc",
+        "T force Enter Down \"ram\" Enter \"0, 0\" Enter \"0 deg\" Enter Down \"1500 N\" Enter Esc",
+        "3 Down",
+        "7",
+    ];
+    for (number, keys) in steps.into_iter().enumerate() {
+        let step = state.tour.as_ref().map(|(step, _)| *step);
+        assert_eq!(step, Some(number), "{}\n{}", text(&state, 80, 24), &**state.draft.text());
+        play_on(&mut state, &pieces(keys));
+    }
+    assert_eq!(state.tour.as_ref().map(|(step, _)| *step), Some(steps.len()), "{}", text(&state, 80, 24));
 }
