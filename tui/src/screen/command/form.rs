@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use assur_draft::{Part, rename};
-use assur_form::{Change, Field, put, rod};
+use assur_form::{Change, Field, put, rod, rows};
 use assur_mechanism::{Key as SceneKey, Step};
 use assur_words::text;
 
@@ -47,16 +47,21 @@ pub(super) fn of_part(state: &mut State, part: &Part) {
     open(state, source);
 }
 
-/// Opens the form in which a key stands, at its field.
+/// Opens the form in which a key stands, at its field: that of the innermost table around it, or of its rows.
 pub(super) fn at(state: &mut State, key: &SceneKey) {
     let steps = key.steps();
-    let depth = if steps.len() > 2 { 2 } else { 1 };
-    let source = FormSource::Table(SceneKey::from(&steps[..depth.min(steps.len())]));
-    open(state, source);
-    let Some(form) = state.build.form_mut() else { return };
-    let is_field =
-        |row: &Row| matches!(&row.kind, RowKind::Value(field) if key.steps().starts_with(field.key.steps()));
-    form.chosen = form.rows.iter().position(is_field).unwrap_or(0);
+    for depth in (0..=steps.len()).rev() {
+        let around = SceneKey::from(&steps[..depth]);
+        let is_of_rows = rows(state.draft.text(), &around).is_some_and(|rows| !rows.rows.is_empty());
+        open(state, if is_of_rows { FormSource::Rows(around) } else { FormSource::Table(around) });
+        let Some(form) = state.build.form_mut() else { return };
+        let is_field =
+            |row: &Row| matches!(&row.kind, RowKind::Value(field) if steps.starts_with(field.key.steps()));
+        if !form.rows.is_empty() {
+            form.chosen = form.rows.iter().position(is_field).unwrap_or(0);
+            return;
+        }
+    }
 }
 
 /// Changes what is typed, and takes it into the text if it may stand there.
@@ -151,14 +156,19 @@ fn renamed(state: &mut State, part: &Part, new: &str) {
     }
 }
 
-/// Goes to another field, once what is typed is taken.
+/// Goes so many fields on, from the last to the first one, once what is typed is taken.
 pub(super) fn leave(state: &mut State, by: isize) {
+    leave_for(state, |form| round(form.chosen, by, form.rows.len()));
+}
+
+/// Goes to another field, once what is typed is taken.
+pub(super) fn leave_for(state: &mut State, next: impl FnOnce(&FormTask) -> usize) {
     fill(state);
     if !end(state) {
         return;
     }
     if let Some(form) = state.build.form_mut() {
-        form.chosen = round(form.chosen, by, form.rows.len());
+        form.chosen = next(form);
     }
 }
 

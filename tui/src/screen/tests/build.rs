@@ -361,3 +361,18 @@ fn a_number_of_a_text_with_faults_is_changed_where_it_stands() {
     assert!(draft.take(&faulty) && draft.put(index, "\"90 mm\""));
     assert_eq!(**draft.text(), faulty.replace("A = \"100 mm\"", "A = \"90 mm\""));
 }
+
+#[test]
+fn undo_and_redo_tell_what_they_did() {
+    let mut state = crank();
+    press(&mut state, "Tab Tab g Right");
+    let before = state.draft.text().to_string();
+    let told = |state: &State| text(state, 80, 24).lines().last().unwrap().trim().to_owned();
+    press(&mut state, "u");
+    assert_eq!(told(&state), "taken back: -input.from, link.crank.points.A 101 mm -> 100 mm");
+    press(&mut state, "C-r");
+    assert_eq!(told(&state), "done again: +input.from, link.crank.points.A 100 mm -> 101 mm");
+    assert_eq!(**state.draft.text(), before);
+    press(&mut state, "g Esc D y u");
+    assert!(told(&state).starts_with("taken back: +"), "{}", told(&state));
+}

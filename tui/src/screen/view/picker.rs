@@ -5,8 +5,9 @@ use assur_picture::{mechanism, plots};
 use assur_words::{Text, name, number, text};
 use ratatui::layout::{Constraint, Layout, Rect};
 use ratatui::widgets::{Clear, Widget};
+use unicode_width::UnicodeWidthStr;
 
-use crate::screen::draw::{Pen, cut, short};
+use crate::screen::draw::{Pen, cut, short, wrapped};
 use crate::screen::state::{Choice, Picker, PickerKind, Role, Scene, Series, State};
 
 /// Columns of the list of scenes.
@@ -29,6 +30,10 @@ pub(super) fn draw(pen: &mut Pen<'_>, picker: &Picker, area: Rect) {
         | PickerKind::Drives
         | PickerKind::Choices => rest.width,
     };
+    let room = usize::from(width.min(rest.width).saturating_sub(4));
+    let [rest, whole] =
+        Layout::vertical([Constraint::Min(0), Constraint::Length(whole_rows(picker, room, rest))])
+            .areas(rest);
     let [list, picture] = Layout::horizontal([Constraint::Length(width), Constraint::Min(0)]).areas(rest);
     pen.tell(title, 1, 0, &picker.heading, Role::Header);
     let left = picker.left();
@@ -41,7 +46,7 @@ pub(super) fn draw(pen: &mut Pen<'_>, picker: &Picker, area: Rect) {
     for (row, (index, choice)) in shown.enumerate() {
         let (sign, role) = if index == picker.chosen { ('>', Role::Cursor) } else { (' ', Role::Plain) };
         let mark = if picker.marked.contains(&choice.name) { '*' } else { ' ' };
-        let text = cut(&choice.text, usize::from(list.width.saturating_sub(4)));
+        let text = cut(&choice.text, room);
         pen.put(list, 1, short(row), &format!("{sign}{mark}{text}"), role);
     }
     match (picker.kind, picker.choice()) {
@@ -50,6 +55,19 @@ pub(super) fn draw(pen: &mut Pen<'_>, picker: &Picker, area: Rect) {
         (PickerKind::Additions, Some(choice)) => pattern(pen, choice, picture),
         _ => {}
     }
+    if let Some(choice) = picker.choice().filter(|choice| choice.text.width() > room) {
+        let lines = wrapped(&choice.text, usize::from(whole.width.saturating_sub(2)).max(20));
+        let lines: Vec<_> =
+            lines.into_iter().take(whole.height.into()).map(|line| (Role::Key, line)).collect();
+        pen.put_lines(whole, 1, &lines);
+    }
+}
+
+/// Rows below the list in which the chosen row stands whole; none where no row is cut.
+fn whole_rows(picker: &Picker, room: usize, area: Rect) -> u16 {
+    let cut = picker.rows.iter().map(|choice| &choice.text).filter(|text| text.width() > room);
+    let rows = cut.map(|text| wrapped(text, usize::from(area.width.saturating_sub(2)).max(20)).len());
+    short(rows.max().unwrap_or(0)).min(area.height / 4)
 }
 
 fn preview(pen: &mut Pen<'_>, choice: &Choice, area: Rect) {
