@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use assur_draft::{Part, rename};
-use assur_form::{Change, Field, put, rod, rows};
+use assur_form::{Change, Field, put, rod, rows, table};
 use assur_mechanism::{Key as SceneKey, Step};
 use assur_words::text;
 
@@ -49,6 +49,8 @@ pub(super) fn of_part(state: &mut State, part: &Part) {
 
 /// Opens the form in which a key stands, at its field: that of the innermost table around it, or of its rows.
 pub(super) fn at(state: &mut State, key: &SceneKey) {
+    // Elements of lists by their number, as fields have them.
+    let key = table(state.draft.text(), key, &[]).at;
     let steps = key.steps();
     for depth in (0..=steps.len()).rev() {
         let around = SceneKey::from(&steps[..depth]);
@@ -74,7 +76,11 @@ pub(super) fn typed(state: &mut State, change: impl FnOnce(&mut Entry) -> bool) 
     }
     let words = pieces(form, &entry).first().map_or_else(String::new, |piece| (*piece).to_owned());
     form.entry = Some(entry);
-    let Some(RowKind::Value(field)) = form.row().map(|row| row.kind.clone()) else { return };
+    let Some(RowKind::Value(field)) = form.row().map(|row| row.kind.clone()) else {
+        // Whether a name is taken is asked at its end.
+        form.fault = None;
+        return;
+    };
     // A step that has begun with this field is typed on from the text before it.
     let begun = form.begun;
     let before = if begun { state.draft.before().cloned() } else { None };
@@ -124,6 +130,7 @@ pub(super) fn end(state: &mut State) -> bool {
                 draft::take(state, Ok(text));
             }
             Err(problem) => {
+                state.build.form_mut().into_iter().for_each(|form| form.fault = Some(problem.clone()));
                 state.say(Role::Bad, problem);
                 return false;
             }
@@ -211,16 +218,24 @@ fn put_in(state: &mut State, piece: &str) {
     });
 }
 
-/// Back to the form from which this one was opened, or to the picture. What is typed and was not ended is taken back.
-pub(super) fn close(state: &mut State) {
-    let Some(form) = state.build.form_mut() else { return };
-    if form.entry.take().is_some() {
-        form.fault = None;
-        if std::mem::take(&mut form.begun) {
-            draft::undo(state);
-        }
-        return fields::renew(state);
+/// Takes back what is typed and was not ended; returns whether it was refused, or `None` where nothing is typed.
+pub(super) fn take_back(state: &mut State) -> Option<bool> {
+    let form = state.build.form_mut()?;
+    form.entry.take()?;
+    let refused = form.fault.take().is_some();
+    if std::mem::take(&mut form.begun) {
+        draft::undo(state);
     }
+    fields::renew(state);
+    Some(refused)
+}
+
+/// Takes back what is typed; or else, and where that is refused, goes back to the form from which this one was opened, or to the picture.
+pub(super) fn close(state: &mut State) {
+    if take_back(state) == Some(false) {
+        return;
+    }
+    let Some(form) = state.build.form_mut() else { return };
     match form.above.pop() {
         Some((source, chosen)) => {
             (form.source, form.chosen) = (source, chosen);

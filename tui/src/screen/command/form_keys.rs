@@ -3,7 +3,7 @@
 use crossterm::event::KeyCode;
 
 use super::choices;
-use super::form::{close, end, fill, leave, leave_for, open_within, typed};
+use super::form::{close, end, fill, leave, leave_for, open_within, take_back, typed};
 use crate::screen::state::{FormTask, Key, RowKind, State};
 
 /// Fields by which a key of pages goes on.
@@ -35,7 +35,7 @@ pub(super) fn press(state: &mut State, key: Key) {
         KeyCode::End => leave_for(state, last),
         KeyCode::PageDown => leave_for(state, |form| (form.chosen + PAGE).min(last(form))),
         KeyCode::PageUp => leave_for(state, |form| form.chosen.saturating_sub(PAGE)),
-        KeyCode::Delete if typing => close(state),
+        KeyCode::Delete if typing => drop(take_back(state)),
         KeyCode::Delete => choices::remove(state),
         KeyCode::Insert if end(state) => choices::insert(state),
         _ => typed(state, |entry| entry.press(key)),

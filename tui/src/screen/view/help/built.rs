@@ -2,13 +2,13 @@
 
 use assur_book::glossary;
 use assur_draft::Part;
-use assur_group::PairSort;
 use assur_mechanism::{LinkId, Mechanism};
 use assur_sketch::{Addition, additions};
 use assur_words::{Text, joined, list, name, text};
 
 use super::subject::{Chosen, OF_GROUP, entries, group, of_kind};
 use crate::screen::state::{FormTask, PickerKind, State, Task, words_of};
+use crate::screen::view::pattern::pairs_of;
 
 /// What is chosen; `None` where nothing is.
 pub(super) fn chosen(state: &State) -> Option<Chosen> {
@@ -34,18 +34,8 @@ fn field(form: &FormTask) -> Option<Chosen> {
 
 /// A kind of group, or another thing that can be added, with the sorts of its pairs.
 fn kind(addition: &Addition) -> Chosen {
-    let (inner, outer) = addition.sorts.split_at(addition.pattern.inner.len());
-    let sorts = |sorts: &[PairSort]| {
-        list(
-            sorts
-                .iter()
-                .map(|sort| text!(if *sort == PairSort::Slide { "build-a-slide" } else { "build-a-pin" })),
-        )
-    };
-    let pairs =
-        [text!("structure-inner", pairs = sorts(inner)), text!("structure-outer", pairs = sorts(outer))];
     let lines = match addition.plugin {
-        Some(plugin) => of_kind(plugin, pairs),
+        Some(plugin) => of_kind(plugin, pairs_of(addition)),
         None => vec![addition.about.clone()],
     };
     Chosen { title: addition.title.clone(), lines, words: entries(&OF_GROUP[..2]) }
