@@ -549,3 +549,54 @@ fn page_keys_go_on_in_a_long_form() {
         assert_eq!(chosen(&state), at, "{key}");
     }
 }
+
+/// Counts bytes.
+#[derive(Clone, Default)]
+struct Count(std::rc::Rc<std::cell::Cell<usize>>);
+
+impl std::io::Write for Count {
+    fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
+        self.0.set(self.0.get() + bytes.len());
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> std::io::Result<()> {
+        Ok(())
+    }
+}
+
+/// How many bytes a terminal gets for each key: what differs from the frame before.
+fn bytes(state: &mut State, keys: &str) -> Vec<usize> {
+    let viewport = ratatui::Viewport::Fixed(ratatui::layout::Rect::new(0, 0, 80, 24));
+    let count = Count::default();
+    let backend = ratatui::backend::CrosstermBackend::new(count.clone());
+    let mut terminal =
+        ratatui::Terminal::with_options(backend, ratatui::TerminalOptions { viewport }).unwrap();
+    let mut frame = |state: &State| {
+        count.0.set(0);
+        terminal.draw(|frame| crate::screen::view::draw(state, frame)).unwrap();
+        count.0.get()
+    };
+    frame(state);
+    let of_key = |key: &str| {
+        press(state, key);
+        frame(state)
+    };
+    keys.split(' ').map(of_key).collect()
+}
+
+/// More bytes than a line of 9600 baud takes in about a second.
+const SLOW_LINE: usize = 1000;
+
+#[test]
+fn a_step_goes_over_a_slow_line() {
+    let mut state = building("shaper");
+    let mut check = |what: &str, begin: &str, keys: &str| {
+        press(&mut state, begin);
+        let all = bytes(&mut state, keys);
+        assert!(all.iter().all(|count| (1..SLOW_LINE).contains(count)), "{what}: {all:?} bytes");
+    };
+    check("choose", "Tab", "Tab Right Left Up Down");
+    check("move", "Esc Tab Tab Tab Tab g", "Up Up Right Left Down");
+    check("fields", "Esc b", "Down Down Up 5 6 Down");
+}
