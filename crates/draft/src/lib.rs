@@ -3,6 +3,7 @@
 //! All functions go from a text to a text; comments, order and spelling of what is not changed stay as they are.
 
 mod braces;
+mod difference;
 mod edit;
 mod find;
 mod hang;
@@ -17,6 +18,7 @@ mod removal;
 mod rename;
 mod written;
 
+pub use difference::{Difference, differences};
 pub use edit::{append, remove, set};
 pub use hang::{delete, dependents};
 pub use part::{Part, stands};

@@ -36,17 +36,29 @@ impl Step {
             self.fill(&first);
             tried.push(first);
         }
-        let mended = if self.tries_others { tried.get(1..).unwrap_or_default() } else { &[] };
-        for key in mended {
-            let is_wrong = |fault: &Fault| fault.missing().is_none() && fault.concerns(key);
+        let mended = if self.tries_others { tried.split_off(1) } else { Vec::new() };
+        let misnamed = if self.tries_others { self.misnamed(at, key) } else { Vec::new() };
+        for key in mended.into_iter().chain(misnamed) {
+            let is_wrong = |fault: &Fault| fault.missing().is_none() && fault.concerns(&key);
             let wrong = self.faults();
             if wrong.iter().any(is_wrong) {
                 // What is wrong with a value may show only where the whole table stands: a pair that has its friction already.
-                if let Some(better) = self.better(key, wrong.len()) {
+                if let Some(better) = self.better(&key, wrong.len()) {
                     *self = better;
                 }
             }
         }
+    }
+
+    /// The other keys of a table that name what they can't name beside this key: a point of the link that the table had before.
+    fn misnamed(&self, at: &Key, key: &Key) -> Vec<Key> {
+        let names_a_part = |own: &Key| {
+            let is_name = |kind: &ValueKind| matches!(kind, ValueKind::Named(_) | ValueKind::Place);
+            key_of(own.steps()).is_some_and(|known| known.kinds.iter().any(is_name))
+        };
+        let wrong = self.faults().into_iter().filter(|fault| fault.missing().is_none());
+        let keys = wrong.filter_map(|fault| fault.key);
+        keys.filter(|own| own != key && owner(own) == *at && names_a_part(own)).collect()
     }
 
     /// Gives a key that is missing the value with the fewest faults, or one to a key that may stand in its place.

@@ -73,6 +73,8 @@ curve-before = { $quantity }   1 now (line)  2 before (dots)
 drive-title = drive
 places-heading = drive with its flywheel on either shaft
 regime-reduced = reduced to { $point }: F { $force }, m { $mass }
+following-path = path of { $point }
+following-transmission = transmission angle
 motion-none = no [motion] in the scene, so only J and Q; add it, with speed = "60 rpm"
 plans-no-construction = no method with a construction fits here
 plans-no-force = No force acts on these links here: their loads are moments that balance each other, or there are none, so the reactions are zero and there is no polygon.
@@ -109,8 +111,8 @@ drive-over-time = This scene moves by laws over time, whatever loads that takes:
 add-loads = This scene has no loads, so there are no forces. Add to the scene, for example:
 
     {"    [[force]]"}
-    {"    link = \"ram\""}
-    {"    at = \"K\""}
+    {"    link = \""}{ $link }{"\""}
+    {"    at = \""}{ $point }{"\""}
     {"    angle = \"180 deg\""}
     {"    value = \"1500 N\""}
 

@@ -73,6 +73,8 @@ curve-before = { $quantity }   1 тепер (лінія)  2 до змін (кр�
 drive-title = привод
 places-heading = привод із маховиком у двох місцях
 regime-reduced = зведено до { $point }: F { $force }, m { $mass }
+following-path = траєкторія { $point }
+following-transmission = кут передавання
 motion-none = у сцені немає [motion], тому лише J і Q; додайте його, зі speed = "60 rpm"
 plans-no-construction = тут не підходить жоден метод із побудовою
 plans-no-force = Тут на ці ланки не діє жодна сила: їхні навантаження — моменти, що зрівноважуються, або їх немає; тому реакції нульові, і плану сил немає.
@@ -109,8 +111,8 @@ drive-over-time = Ця сцена рухається за законами в ч
 add-loads = Сцена не має навантажень, тому немає сил. Додайте до сцени, наприклад:
 
     {"    [[force]]"}
-    {"    link = \"ram\""}
-    {"    at = \"K\""}
+    {"    link = \""}{ $link }{"\""}
+    {"    at = \""}{ $point }{"\""}
     {"    angle = \"180 deg\""}
     {"    value = \"1500 N\""}
 

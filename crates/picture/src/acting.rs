@@ -3,7 +3,7 @@
 use assur_analysis::results::{Column, Owner, Quantity, Schema};
 use assur_book::catalogue;
 use assur_figure::{Ink, Point, Stroke};
-use assur_force::{LoadState, UnitBalance, drive_direction};
+use assur_force::{Cause, LoadState, UnitBalance, drive_direction};
 use assur_kinematics::Position;
 use assur_mechanism::{Balance, Driver, GROUND, InputPair, LinkId, PairId};
 use assur_words::{Text, joined, name, text};
@@ -20,7 +20,8 @@ pub(crate) struct Acting<'a> {
 }
 
 impl<'a> Acting<'a> {
-    /// The contacts in any case; all loads with the moment of the drive, or the reactions with the balancing load, where they are wanted.
+    /// The contacts in any case; the loads of the scene, all loads with the moment of the drive, or the reactions with the balancing load,
+    /// where they are wanted.
     pub(crate) fn of(
         results: &'a Results,
         wanted: Arrows,
@@ -28,7 +29,7 @@ impl<'a> Acting<'a> {
         state: &'a LoadState,
     ) -> Vec<Arrow> {
         let mut own = Self { results, pose, state, all: Vec::new() };
-        own.loads(wanted == Arrows::Loads);
+        own.loads(wanted);
         if wanted == Arrows::Reactions {
             own.reactions();
         }
@@ -56,12 +57,17 @@ impl<'a> Acting<'a> {
 
     /// A load has the number that it has in the constructions; a contact its point K, the normal force and the friction, dashed, and their
     /// sum.
-    fn loads(&mut self, all_wanted: bool) {
+    fn loads(&mut self, wanted: Arrows) {
+        let all_wanted = wanted == Arrows::Loads;
         let (mechanism, bodies) = (&self.results.linkage.mechanism, &self.pose.bodies);
         let Some(found) = self.results.found.as_deref().map(|found| found.plans.calculation()) else {
             return;
         };
-        let loads = found.loads.as_ref().filter(|_| found.positions_have_forces() || all_wanted);
+        let are_wanted =
+            |cause: Cause| all_wanted || wanted == Arrows::Applied && matches!(cause, Cause::Load(_));
+        let loads = found.loads.as_ref();
+        let loads =
+            loads.filter(|_| found.positions_have_forces() || all_wanted || wanted == Arrows::Applied);
         let list = loads.map_or_else(Vec::new, |loads| loads.acting(self.state, bodies));
         let contacts = mechanism.loads.iter().filter(|load| load.kind.contact().is_some()).count();
         let mut nth = 0;
@@ -76,7 +82,7 @@ impl<'a> Acting<'a> {
                 self.push(at, Kind::Force, normal, of(name("Fc"), Text::default()), dashed);
                 self.push(at, Kind::Force, friction, of(text!("contact-friction"), Text::default()), dashed);
                 self.push(at, Kind::Force, force, of(name("F"), told), line);
-            } else if all_wanted {
+            } else if are_wanted(load.cause) {
                 let at = load.at.unwrap_or_else(|| self.anchor(load.link));
                 let symbols = ["F", "M"].map(|letter| format!("{letter}{}", number + 1));
                 self.act(at, force, load.couple(bodies), symbols, &told, Ink::Second);

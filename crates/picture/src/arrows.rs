@@ -176,7 +176,7 @@ fn has_motion(results: &Results) -> bool {
 
 /// Why the loads or reactions that are wanted can't be drawn; `None` where they are.
 pub fn missing(results: &Results, look: &Look<'_>) -> Option<Text> {
-    if !matches!(look.arrows, Arrows::Loads | Arrows::Reactions) {
+    if !matches!(look.arrows, Arrows::Applied | Arrows::Loads | Arrows::Reactions) {
         return None;
     }
     let (_, all) = arrows(results, look, look.position, look.part)?;

@@ -5,6 +5,7 @@
 //! * [`curves`]: quantities over the positions.
 //! * [`plans`]: force polygons, plans of velocities and accelerations, constructions.
 //! * [`forces`]: reactions over the cycle, beside the friction of their pairs, and by [`causes`].
+//! * [`following`]: what follows while a point is moved.
 //! * [`motion`], [`regime`]: the motion over the positions or over time, the steady regime with its motor and flywheel.
 //!
 //! A [`Picture`] is one of them by its name; [`find`] looks for what it shows.
@@ -18,6 +19,7 @@ mod compared;
 pub mod curves;
 mod events;
 pub mod find;
+pub mod following;
 pub mod forces;
 mod found;
 mod friction;
@@ -169,6 +171,8 @@ pub enum Arrows {
     Acceleration,
     /// Both derivatives.
     Both,
+    /// The loads of the scene: forces, moments, springs, contacts.
+    Applied,
     /// What acts on the links from outside, with their weights and inertia loads.
     Loads,
     /// The forces of the pairs.

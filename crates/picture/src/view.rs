@@ -111,7 +111,7 @@ impl Picture {
                     _ => not_determined(),
                 }
             }
-            (Self::Forces | Self::Plans, None) => return (text!("add-loads"), true),
+            (Self::Forces | Self::Plans, None) => return (add_loads(results), true),
             _ => text!("nothing-here"),
         };
         (why, false)
@@ -130,4 +130,15 @@ impl Picture {
             Self::Structure => mechanism::structure(results, look),
         }
     }
+}
+
+/// An example of a force that can be added: on the last link, at the last of its points.
+fn add_loads(results: &Results) -> Text {
+    let mechanism = &results.linkage.mechanism;
+    let point_on = |link: usize| mechanism.points.iter().rfind(|point| point.on(link).is_some());
+    let last = (1..mechanism.links.len()).rev().find_map(|link| Some((link, point_on(link)?)));
+    let [link, point] = last.map_or([Text::default(), Text::default()], |(link, point)| {
+        [(&mechanism.links[link].name).into(), (&point.name).into()]
+    });
+    text!("add-loads", link, point)
 }

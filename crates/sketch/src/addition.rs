@@ -124,6 +124,8 @@ pub struct Added {
     pub fields: Vec<Key>,
     /// How it moves.
     pub fit: Fit,
+    /// The link that carries all of several outer pairs, so that what was added is rigid with it; `ground` is one too.
+    pub rigid_with: Option<String>,
 }
 
 /// How far a mechanism can be assembled with what was added.

@@ -62,7 +62,23 @@ pub fn add(
             break;
         }
     }
-    best.map(|(_, added)| added).ok_or_else(Text::default)
+    let rigid_with = if addition.outer().len() > 1 { common_link(sketch, targets) } else { None };
+    best.map(|(_, added)| Added { rigid_with, ..added }).ok_or_else(Text::default)
+}
+
+/// The link that has all targets: what is joined to it alone does not move against it.
+fn common_link(sketch: &Sketch, targets: &[Target]) -> Option<String> {
+    let links = &sketch.mechanism.links;
+    let carries = |link: usize, target: &Target| match target {
+        Target::Point(point) => {
+            let point = sketch.mechanism.points.iter().find(|own| own.name.as_str() == point);
+            point.is_some_and(|point| point.on(link).is_some())
+        }
+        Target::New { link: own, .. } | Target::Guide { link: own, .. } => links[link].name.as_str() == own,
+    };
+    let carries_all = |link: &usize| targets.iter().all(|target| carries(*link, target));
+    let link = (0..links.len()).find(carries_all)?;
+    Some(links[link].name.to_string())
 }
 
 /// Adds by each arrangement until one is best of all.
@@ -76,7 +92,8 @@ fn try_all(text: &str, plan: &Plan<'_>, best: &mut Option<(Quality, Added)>) -> 
         if best.as_ref().is_none_or(|(best, _)| quality > *best) {
             let (links, points, fit) = (plan.links.clone(), plan.points.clone(), quality.0);
             let (slides, fields) = (tables.slides, tables.fields);
-            *best = Some((quality, Added { text: scene, links, points, slides, fields, fit }));
+            let added = Added { text: scene, links, points, slides, fields, fit, rigid_with: None };
+            *best = Some((quality, added));
         }
         if quality == BEST {
             break;

@@ -1,5 +1,6 @@
 //! What the parts say of texts: single cases, then whatever comes.
 
+mod difference;
 mod edit;
 mod names;
 mod readable;

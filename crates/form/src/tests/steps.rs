@@ -182,3 +182,15 @@ fn while_a_value_is_refused_nothing_else_changes() {
     assert!(change.here.unwrap().message.to_string().contains("there is no point `Q`"));
     assert!(change.text.contains("link = \"crank\"") && change.text.contains("pin = \"Q\""));
 }
+
+#[test]
+fn a_force_on_another_link_acts_at_a_point_of_it() {
+    let change = typing(shaper(), "force[0].link", "crank");
+    assert_eq!(also(&change), ["force[0].at"]);
+    assert_eq!(value(&reads(change), "force[0].at"), "\"A\"");
+    // What is right on both links stays.
+    let on_rocker = shaper().replace("link = \"ram\"\nat = \"K\"", "link = \"rocker\"\nat = \"D\"");
+    assert_eq!(value(&reads(typing(&on_rocker, "force[0].link", "stone4")), "force[0].at"), "\"D\"");
+    let place = shaper().replace("at = \"K\"", "at = [0.25, -0.05]");
+    assert_eq!(value(&reads(typing(&place, "force[0].link", "crank")), "force[0].at"), "[0.25, -0.05]");
+}

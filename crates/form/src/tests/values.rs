@@ -89,14 +89,14 @@ fn an_error_stands_at_the_key_that_is_typed() {
 
 #[test]
 fn a_fault_elsewhere_is_told_and_an_old_one_is_not() {
-    // The point of the force is not on the other link.
-    let change = typing(shaper(), "force[0].link", "rocker");
+    // The point at which the force acts.
+    let change = typing(shaper(), "link.ram.points.K", "");
     assert!(change.here.is_none());
     let places: Vec<_> =
         change.elsewhere.iter().map(|fault| fault.key.clone().unwrap().to_string()).collect();
     assert_eq!(places, ["force[0].at"]);
-    let moved = reads_later(&change.text, "force[0].at", "D");
-    assert!(moved.contains("link = \"rocker\"\nat = \"D\""));
+    let moved = reads_later(&change.text, "force[0].at", "E");
+    assert!(moved.contains("link = \"ram\"\nat = \"E\""));
     let faulty = shaper().replace("\"12 kg\"", "\"12 mm\"");
     let change = typing(&faulty, "motion.speed", "90");
     assert!(change.here.is_none() && change.elsewhere.is_empty());

@@ -167,6 +167,23 @@ fn a_dyad_is_written_as_one_would_by_hand() {
 }
 
 #[test]
+fn a_group_on_one_link_alone_is_told_to_be_rigid_with_it() {
+    let text = assur_fixtures::scene("shaper");
+    let sketch = drawn(text);
+    let added = |name: &str, targets: &[Target]| {
+        add(text, &sketch, &addition(name), targets, &Names::default()).unwrap().rigid_with
+    };
+    let point = |name: &str| Target::Point(name.to_owned());
+    // C is on the rocker and on the ground, D on the rocker and its stone, A on the crank and its stone.
+    assert_eq!(added("rrr", &[point("C"), point("D")]).as_deref(), Some("rocker"));
+    assert_eq!(added("rrr", &[point("A"), point("D")]), None);
+    let on_crank = Target::New { link: "crank".to_owned(), at: [0.05, 0.05] };
+    assert_eq!(added("rod", &[on_crank, point("A")]).as_deref(), Some("crank"));
+    assert_eq!(added("rrr", &[point("C"), ground(0.3, 0.0)]).as_deref(), Some("ground"));
+    assert_eq!(added("free-link", &[ground(0.0, 0.5), ground(0.3, 0.5)]), None);
+}
+
+#[test]
 fn what_is_no_group_stands_where_it_was_put() {
     let scene = start(Start::CRANK);
     let before = drawn(&scene);

@@ -3,13 +3,18 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use assur_words::{Text, name, text};
+use assur_draft::Difference;
+use assur_scene::edit::bare;
+use assur_words::{Text, list, name, text};
 
 use super::write::home;
 use crate::screen::state::{
-    Assembled, Change, Effect, OutputFile, PromptKind, Reading, Role, STEPS, Scene, Source, State, View,
-    Wanted,
+    Assembled, Change, Draft, Effect, OutputFile, PromptKind, Reading, Role, STEPS, Scene, Source, State,
+    View, Wanted,
 };
+
+/// More differences between two texts are counted.
+const MOST_TOLD: usize = 3;
 
 pub(crate) fn toggle(state: &mut State) {
     (state.draft.open, state.probe) = (!state.values_open(), None);
@@ -69,19 +74,40 @@ pub(super) fn assemble_too(state: &mut State, points: &[Assembled]) {
 }
 
 pub(super) fn undo(state: &mut State) {
-    if state.draft.undo() {
-        ask(state);
-    } else {
-        state.say(Role::Plain, text!("say-no-change"));
-    }
+    retrace(state, Draft::undo, ["build-undone", "say-no-change"]);
 }
 
 pub(super) fn redo(state: &mut State) {
-    if state.draft.redo() {
-        ask(state);
-    } else {
-        state.say(Role::Plain, text!("say-no-step-undone"));
+    retrace(state, Draft::redo, ["build-redone", "say-no-step-undone"]);
+}
+
+/// Goes back or forth in the steps; while a mechanism is built, what differs then is told.
+fn retrace(state: &mut State, step: fn(&mut Draft) -> bool, [told, none]: [&'static str; 2]) {
+    let before = Arc::clone(state.draft.text());
+    if !step(&mut state.draft) {
+        return state.say(Role::Plain, text!(none));
     }
+    if state.view == View::Build {
+        let what = difference(&before, state.draft.text());
+        state.say(Role::Plain, text!(told, what));
+    }
+    ask(state);
+}
+
+/// The first keys at which two texts differ: numbers and words with both values, `+` before what is new and `-` before what is gone.
+fn difference(before: &str, after: &str) -> Text {
+    let all = assur_draft::differences(before, after);
+    let told = |one: &Difference| {
+        let key = name(one.key.to_string());
+        match [&one.before, &one.after].map(|value| value.as_ref().map(|value| name(bare(value)))) {
+            [Some(from), Some(to)] => text!("build-changed", key, from, to),
+            [None, _] => text!("build-new-key", key),
+            [_, None] => text!("build-gone-key", key),
+        }
+    };
+    let more = all.len().saturating_sub(MOST_TOLD);
+    let more = Some(text!("build-more-keys", count = more)).filter(|_| more > 0);
+    list(all.iter().take(MOST_TOLD).map(told).chain(more))
 }
 
 /// Requests the scene of the present text, unless it is shown or the one before is still being read.

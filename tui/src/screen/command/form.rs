@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use assur_draft::{Part, rename};
-use assur_form::{Change, Field, put, rod};
+use assur_form::{Change, Field, put, rod, rows, table};
 use assur_mechanism::{Key as SceneKey, Step};
 use assur_words::text;
 
@@ -47,16 +47,23 @@ pub(super) fn of_part(state: &mut State, part: &Part) {
     open(state, source);
 }
 
-/// Opens the form in which a key stands, at its field.
+/// Opens the form in which a key stands, at its field: that of the innermost table around it, or of its rows.
 pub(super) fn at(state: &mut State, key: &SceneKey) {
+    // Elements of lists by their number, as fields have them.
+    let key = table(state.draft.text(), key, &[]).at;
     let steps = key.steps();
-    let depth = if steps.len() > 2 { 2 } else { 1 };
-    let source = FormSource::Table(SceneKey::from(&steps[..depth.min(steps.len())]));
-    open(state, source);
-    let Some(form) = state.build.form_mut() else { return };
-    let is_field =
-        |row: &Row| matches!(&row.kind, RowKind::Value(field) if key.steps().starts_with(field.key.steps()));
-    form.chosen = form.rows.iter().position(is_field).unwrap_or(0);
+    for depth in (0..=steps.len()).rev() {
+        let around = SceneKey::from(&steps[..depth]);
+        let is_of_rows = rows(state.draft.text(), &around).is_some_and(|rows| !rows.rows.is_empty());
+        open(state, if is_of_rows { FormSource::Rows(around) } else { FormSource::Table(around) });
+        let Some(form) = state.build.form_mut() else { return };
+        let is_field =
+            |row: &Row| matches!(&row.kind, RowKind::Value(field) if steps.starts_with(field.key.steps()));
+        if !form.rows.is_empty() {
+            form.chosen = form.rows.iter().position(is_field).unwrap_or(0);
+            return;
+        }
+    }
 }
 
 /// Changes what is typed, and takes it into the text if it may stand there.
@@ -69,7 +76,11 @@ pub(super) fn typed(state: &mut State, change: impl FnOnce(&mut Entry) -> bool) 
     }
     let words = pieces(form, &entry).first().map_or_else(String::new, |piece| (*piece).to_owned());
     form.entry = Some(entry);
-    let Some(RowKind::Value(field)) = form.row().map(|row| row.kind.clone()) else { return };
+    let Some(RowKind::Value(field)) = form.row().map(|row| row.kind.clone()) else {
+        // Whether a name is taken is asked at its end.
+        form.fault = None;
+        return;
+    };
     // A step that has begun with this field is typed on from the text before it.
     let begun = form.begun;
     let before = if begun { state.draft.before().cloned() } else { None };
@@ -119,6 +130,7 @@ pub(super) fn end(state: &mut State) -> bool {
                 draft::take(state, Ok(text));
             }
             Err(problem) => {
+                state.build.form_mut().into_iter().for_each(|form| form.fault = Some(problem.clone()));
                 state.say(Role::Bad, problem);
                 return false;
             }
@@ -151,14 +163,19 @@ fn renamed(state: &mut State, part: &Part, new: &str) {
     }
 }
 
-/// Goes to another field, once what is typed is taken.
+/// Goes so many fields on, from the last to the first one, once what is typed is taken.
 pub(super) fn leave(state: &mut State, by: isize) {
+    leave_for(state, |form| round(form.chosen, by, form.rows.len()));
+}
+
+/// Goes to another field, once what is typed is taken.
+pub(super) fn leave_for(state: &mut State, next: impl FnOnce(&FormTask) -> usize) {
     fill(state);
     if !end(state) {
         return;
     }
     if let Some(form) = state.build.form_mut() {
-        form.chosen = round(form.chosen, by, form.rows.len());
+        form.chosen = next(form);
     }
 }
 
@@ -201,16 +218,24 @@ fn put_in(state: &mut State, piece: &str) {
     });
 }
 
-/// Back to the form from which this one was opened, or to the picture. What is typed and was not ended is taken back.
-pub(super) fn close(state: &mut State) {
-    let Some(form) = state.build.form_mut() else { return };
-    if form.entry.take().is_some() {
-        form.fault = None;
-        if std::mem::take(&mut form.begun) {
-            draft::undo(state);
-        }
-        return fields::renew(state);
+/// Takes back what is typed and was not ended; returns whether it was refused, or `None` where nothing is typed.
+pub(super) fn take_back(state: &mut State) -> Option<bool> {
+    let form = state.build.form_mut()?;
+    form.entry.take()?;
+    let refused = form.fault.take().is_some();
+    if std::mem::take(&mut form.begun) {
+        draft::undo(state);
     }
+    fields::renew(state);
+    Some(refused)
+}
+
+/// Takes back what is typed; or else, and where that is refused, goes back to the form from which this one was opened, or to the picture.
+pub(super) fn close(state: &mut State) {
+    if take_back(state) == Some(false) {
+        return;
+    }
+    let Some(form) = state.build.form_mut() else { return };
     match form.above.pop() {
         Some((source, chosen)) => {
             (form.source, form.chosen) = (source, chosen);

@@ -3,8 +3,11 @@
 use crossterm::event::KeyCode;
 
 use super::choices;
-use super::form::{close, end, fill, leave, open_within, typed};
-use crate::screen::state::{Key, RowKind, State};
+use super::form::{close, end, fill, leave, leave_for, open_within, take_back, typed};
+use crate::screen::state::{FormTask, Key, RowKind, State};
+
+/// Fields by which a key of pages goes on.
+const PAGE: usize = 6;
 
 pub(super) fn press(state: &mut State, key: Key) {
     let Some(form) = state.build.form_mut() else { return };
@@ -28,20 +31,20 @@ pub(super) fn press(state: &mut State, key: Key) {
                 entry.press(key)
             });
         }
-        KeyCode::Home if end(state) => state.build.form_mut().into_iter().for_each(|form| form.chosen = 0),
-        KeyCode::End if end(state) => {
-            state
-                .build
-                .form_mut()
-                .into_iter()
-                .for_each(|form| form.chosen = form.rows.len().saturating_sub(1));
-        }
-        KeyCode::Home | KeyCode::End => {}
-        KeyCode::Delete if typing => close(state),
+        KeyCode::Home => leave_for(state, |_| 0),
+        KeyCode::End => leave_for(state, last),
+        KeyCode::PageDown => leave_for(state, |form| (form.chosen + PAGE).min(last(form))),
+        KeyCode::PageUp => leave_for(state, |form| form.chosen.saturating_sub(PAGE)),
+        KeyCode::Delete if typing => drop(take_back(state)),
         KeyCode::Delete => choices::remove(state),
         KeyCode::Insert if end(state) => choices::insert(state),
         _ => typed(state, |entry| entry.press(key)),
     }
+}
+
+/// The last field.
+fn last(form: &FormTask) -> usize {
+    form.rows.len().saturating_sub(1)
 }
 
 /// Enter: the next field; of a table its own form; behind the last field the form is done.

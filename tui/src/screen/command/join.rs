@@ -190,6 +190,10 @@ pub(super) fn finish(state: &mut State, join: &Join) {
                 let links = added.links.into_iter().map(Part::Link);
                 let parts = links.chain(added.points.into_iter().map(Part::Point)).collect();
                 form::open(state, FormSource::Made(parts, fields::whole(added.fields)));
+                if let Some(link) = added.rigid_with {
+                    let undo = name(state.keys.first("undo"));
+                    state.say(Role::Bad, text!("build-rigid", link = name(link), undo));
+                }
             }
         }
         Err(problem) => state.say(Role::Bad, problem),

@@ -393,3 +393,242 @@ fn each_step_of_the_tour_ends_by_the_keys_that_it_names() {
     }
     assert_eq!(state.tour.as_ref().map(|(step, _)| *step), Some(steps.len()), "{}", text(&state, 80, 24));
 }
+
+#[test]
+fn undo_and_redo_tell_what_they_did() {
+    let mut state = crank();
+    press(&mut state, "Tab Tab g Right");
+    let before = state.draft.text().to_string();
+    let told = |state: &State| text(state, 80, 24).lines().last().unwrap().trim().to_owned();
+    press(&mut state, "u");
+    assert_eq!(told(&state), "taken back: -input.from, link.crank.points.A 101 mm -> 100 mm");
+    press(&mut state, "C-r");
+    assert_eq!(told(&state), "done again: +input.from, link.crank.points.A 100 mm -> 101 mm");
+    assert_eq!(**state.draft.text(), before);
+    press(&mut state, "g D y u");
+    assert!(told(&state).starts_with("taken back: +"), "{}", told(&state));
+}
+
+/// A shipped scene that is built on.
+fn building(name: &'static str) -> State {
+    let mut state = super::opened(name);
+    press(&mut state, "B");
+    state
+}
+
+#[test]
+fn a_force_goes_with_its_link_and_a_fault_leads_to_its_field() {
+    let mut state = building("shaper");
+    press(&mut state, "T");
+    type_in(&mut state, "cutting");
+    press(&mut state, "Enter Down");
+    type_in(&mut state, "crank");
+    press(&mut state, "Enter");
+    assert!(state.draft.text().contains("link = \"crank\"\nat = \"A\""), "{}", state.draft.text());
+    // A fault that no form has made: its field is chosen, of a number in rows that of the number.
+    let faults = [
+        ("at = \"K\"", "at = \"A\"", "force[0].at"),
+        ("[0.95, 1500]", "[0.95, \"1 m\"]", "force[0].value.forward[2][1]"),
+        ("mass = \"12 kg\"", "mass = \"12 mm\"", "link.rocker.mass"),
+        ("D = \"700 mm\"", "D = \"7 N\"", "link.rocker.points.D"),
+    ];
+    for (from, to, key) in faults {
+        let mut state = crank();
+        state.draft = Draft::from(1, Source::New, &shipped("shaper").replace(from, to));
+        press(&mut state, "B B E");
+        let field = state.build.form().and_then(|form| form.field()).map(|field| field.key.to_string());
+        assert_eq!(field.as_deref(), Some(key));
+    }
+}
+
+#[test]
+fn a_refused_field_is_left_by_one_key_with_the_value_before() {
+    let mut state = crank();
+    press(&mut state, "Tab Tab Enter Down");
+    let before = state.draft.text().to_string();
+    type_in(&mut state, "10 kg");
+    press(&mut state, "Enter");
+    assert!(state.build.form().is_some_and(|form| form.fault.is_some()));
+    press(&mut state, "Esc");
+    assert!(state.build.form().is_none());
+    assert_eq!(**state.draft.text(), before);
+    // A name that is taken too.
+    press(&mut state, "N");
+    type_in(&mut state, "O");
+    press(&mut state, "Enter");
+    assert!(text(&state, 80, 24).contains("`O` is taken"), "{}", text(&state, 80, 24));
+    press(&mut state, "Esc");
+    assert!(state.build.form().is_none());
+    assert_eq!(**state.draft.text(), before);
+}
+
+#[test]
+fn an_empty_view_of_forces_advises_by_the_links_of_its_scene() {
+    let mut state = crank();
+    press(&mut state, "3");
+    let frame = text(&state, 80, 24);
+    assert!(frame.contains("link = \"crank\"") && frame.contains("at = \"A\""), "{frame}");
+    assert!(frame.contains("B, then T"), "{frame}");
+}
+
+#[test]
+fn the_help_has_the_whole_text_of_a_field_that_is_cut() {
+    let mut state = crank();
+    press(&mut state, "Tab Tab Enter Down");
+    let about = state.told(state.build.form().unwrap().field().unwrap().about.clone());
+    let last = about.split_whitespace().last().unwrap().to_owned();
+    let side = |state: &State| -> String {
+        text(state, 80, 24)
+            .lines()
+            .filter_map(|line| line.split_once('\u{2502}').map(|(_, side)| side.to_owned()))
+            .collect()
+    };
+    assert!(!side(&state).contains(&last) && side(&state).contains("?: all of it"), "{}", side(&state));
+    press(&mut state, "?");
+    let help = text(&state, 80, 24);
+    assert!(help.contains(&last) && help.contains("Chosen: link.crank.points.A: 100 mm"), "{help}");
+}
+
+#[test]
+fn the_help_begins_with_what_is_chosen() {
+    let mut state = building("shaper");
+    let first = |state: &mut State| -> [String; 2] {
+        press(state, "?");
+        let frame = text(state, 80, 24);
+        press(state, "Esc");
+        let mut lines =
+            frame.lines().skip(3).map(|line| line.trim_matches(['\u{2502}', '\u{2588}', ' ']).to_owned());
+        [(); 2].map(|()| lines.next().unwrap())
+    };
+    for (chosen, lines) in [
+        (assur_draft::Part::Point("A".to_owned()), ["Chosen: point A", "joins crank, stone2"]),
+        (assur_draft::Part::Link("rocker".to_owned()), ["Chosen: link rocker", "points: C, S3, D"]),
+        (
+            assur_draft::Part::Slide("stone4/ram".to_owned()),
+            ["Chosen: slide stone4/ram", "stone4 slides on ram"],
+        ),
+    ] {
+        state.build.chosen = Some(chosen);
+        assert_eq!(first(&mut state), lines);
+    }
+    press(&mut state, "A Down Down");
+    assert_eq!(first(&mut state)[0], "Chosen: RPR");
+    press(&mut state, "Enter");
+    assert_eq!(first(&mut state)[0], "Chosen: RPR");
+}
+
+#[test]
+fn no_two_kinds_of_groups_look_the_same_in_their_list() {
+    for language in ["en", "uk"] {
+        let mut state = building("shaper");
+        state.look.language = language;
+        press(&mut state, "A");
+        let count = state.picker.as_ref().unwrap().rows.len();
+        let mut seen = BTreeMap::new();
+        for _ in 0..count {
+            let frame = text(&state, 80, 24);
+            let chosen = frame.lines().find(|line| line.starts_with(" >")).unwrap().chars().take(54);
+            let below: String = frame.lines().skip(18).take(4).collect();
+            let name = state.picker.as_ref().unwrap().choice().unwrap().name.clone();
+            let twin = seen.insert(chosen.collect::<String>() + &below, name.clone());
+            assert_eq!(twin, None, "{name}\n{frame}");
+            press(&mut state, "Down");
+        }
+    }
+}
+
+#[test]
+fn a_group_on_one_link_is_told_to_be_rigid_with_it() {
+    let mut state = building("shaper");
+    press(&mut state, "A Enter");
+    for pin in ["C", "D"] {
+        type_in(&mut state, pin);
+        press(&mut state, "Enter");
+    }
+    let frame = text(&state, 80, 24);
+    assert!(frame.contains("it is rigid with rocker"), "{frame}");
+}
+
+#[test]
+fn loads_are_in_the_picture_and_curves_follow_what_is_moved() {
+    let mut state = building("shaper");
+    // The cutting force, which is zero at the ends of the stroke: behind the weights of five links.
+    state.position = 12;
+    assert!(text(&state, 80, 24).contains("F6"), "{}", text(&state, 80, 24));
+    state.position = 0;
+    state.build.chosen = Some(assur_draft::Part::Point("D".to_owned()));
+    assert!(!text(&state, 80, 24).contains("path of D"));
+    press(&mut state, "g");
+    let before = text(&state, 80, 40);
+    assert!(before.contains("path of D") && before.contains("stone2/rocker"), "{before}");
+    assert!(text(&state, 80, 50).contains("transmission angle"), "{}", text(&state, 80, 50));
+    press(&mut state, "Up Up Up");
+    let after = text(&state, 80, 40);
+    let side =
+        |frame: &str| -> Vec<String> { frame.lines().map(|line| line.chars().skip(46).collect()).collect() };
+    assert!(after.contains("path of D") && side(&before) != side(&after));
+}
+
+#[test]
+fn page_keys_go_on_in_a_long_form() {
+    let mut state = building("shaper");
+    press(&mut state, "b");
+    let chosen = |state: &State| state.build.form().unwrap().chosen;
+    for (key, at) in
+        [("PgDn", 6), ("PgDn", 12), ("PgDn", 14), ("PgUp", 8), ("Home", 0), ("PgUp", 0), ("End", 14)]
+    {
+        press(&mut state, key);
+        assert_eq!(chosen(&state), at, "{key}");
+    }
+}
+
+/// Counts bytes.
+#[derive(Clone, Default)]
+struct Count(std::rc::Rc<std::cell::Cell<usize>>);
+
+impl std::io::Write for Count {
+    fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
+        self.0.set(self.0.get() + bytes.len());
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> std::io::Result<()> {
+        Ok(())
+    }
+}
+
+/// How many bytes a terminal gets for each key: what differs from the frame before.
+fn bytes(state: &mut State, keys: &str) -> Vec<usize> {
+    let viewport = ratatui::Viewport::Fixed(ratatui::layout::Rect::new(0, 0, 80, 24));
+    let count = Count::default();
+    let backend = ratatui::backend::CrosstermBackend::new(count.clone());
+    let mut terminal =
+        ratatui::Terminal::with_options(backend, ratatui::TerminalOptions { viewport }).unwrap();
+    let mut frame = |state: &State| {
+        count.0.set(0);
+        terminal.draw(|frame| crate::screen::view::draw(state, frame)).unwrap();
+        count.0.get()
+    };
+    frame(state);
+    let of_key = |key: &str| {
+        press(state, key);
+        frame(state)
+    };
+    keys.split(' ').map(of_key).collect()
+}
+
+/// More bytes than a line of 9600 baud takes in about a second.
+const SLOW_LINE: usize = 1000;
+
+#[test]
+fn a_step_goes_over_a_slow_line() {
+    let mut state = building("shaper");
+    let mut check = |what: &str, begin: &str, keys: &str| {
+        press(&mut state, begin);
+        let all = bytes(&mut state, keys);
+        assert!(all.iter().all(|count| (1..SLOW_LINE).contains(count)), "{what}: {all:?} bytes");
+    };
+    check("choose", "Tab", "Tab Right Left Up Down");
+    check("move", "Esc Tab Tab Tab Tab g", "Up Up Right Left Down");
+    check("fields", "Esc b", "Down Down Up 5 6 Down");
+}

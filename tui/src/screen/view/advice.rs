@@ -30,6 +30,11 @@ fn text(state: &State, scene: &Scene, view: View) -> Text {
     }
     let Some(picture) = view.picture() else { return text!("nothing-here") };
     let (why, can_be_added) = picture.missing(scene, &state.pictured(), state.part(view));
-    let again = || text!("advice-reread", key = name(state.keys.first("reload")));
-    joined("\n\n", std::iter::once(why).chain(can_be_added.then(again)))
+    let key = |command: &str| name(state.keys.first(command));
+    let how = || {
+        let again = text!("advice-reread", key = key("reload"));
+        let build = text!("advice-build", build = key("build"), tables = key("tables"));
+        joined(" ", [again, build])
+    };
+    joined("\n\n", std::iter::once(why).chain(can_be_added.then(how)))
 }

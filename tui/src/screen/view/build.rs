@@ -5,7 +5,7 @@ use assur_figure::cells::point_at;
 use assur_figure::{Bounds, Figure, Ink, Item, Panel, Scale, Sign, Stroke};
 use assur_mechanism::GROUND;
 use assur_picture::mechanism::{self as picture};
-use assur_picture::{Arrows, Look};
+use assur_picture::{Arrows, Look, following};
 use assur_report::topic::About;
 use assur_sketch::{Sketch, Target};
 use assur_words::{Text, joined, list, name, number, quantity, text};
@@ -14,13 +14,18 @@ use ratatui::layout::{Constraint, Layout, Rect};
 use super::{file, form};
 use crate::number::digits;
 use crate::screen::draw::{Pen, cells, short, wrapped};
-use crate::screen::state::{MOVES, Role, State, Task, place, words_of};
+use crate::screen::state::{MOVES, Role, Scene, State, Task, place, words_of};
 
 /// Part of the width for the form and the file, per cent, and its least.
 const SIDE: u16 = 42;
 const LEAST_SIDE: u16 = 36;
 /// Rows that the file has at least.
 pub(super) const FILE: u16 = 7;
+/// Rows that the curves have at least while something is moved, and the file below them.
+const CURVES: u16 = 8;
+const FILE_BELOW_CURVES: u16 = 4;
+/// Rows of a curve beside others.
+const LEAST_CURVE: u16 = 6;
 /// Measures of the motion that are shown.
 const MEASURES: usize = 4;
 /// Around the sketch, as part of its size.
@@ -37,14 +42,45 @@ pub(super) fn draw(pen: &mut Pen<'_>, area: Rect) {
         pen.put(side, 0, row, "│", Role::Dim);
     }
     let side = Rect { x: side.x + 1, width: side.width.saturating_sub(1), ..side };
-    let lines = match &state.build.task {
-        Task::Form(task) => return form::draw(pen, task, side),
-        _ => told(state, side.width.into()),
-    };
-    let rows = short(lines.len()).min(side.height.saturating_sub(FILE));
-    let [top, file] = Layout::vertical([Constraint::Length(rows + 1), Constraint::Min(0)]).areas(side);
+    if let Task::Form(task) = &state.build.task {
+        return form::draw(pen, task, side);
+    }
+    let curves = if is_moved(state) { following(state) } else { Figure::default() };
+    // While something is moved, what follows has the rows of the file but for its last change.
+    let [for_curves, for_file] =
+        if curves.panels.is_empty() { [0, FILE] } else { [CURVES, FILE_BELOW_CURVES] };
+    let room = side.height.saturating_sub(for_curves + for_file);
+    let lines = told(state, side.width.into(), room.into());
+    let rows = short(lines.len()).min(room);
+    let for_curves = if for_curves > 0 { side.height.saturating_sub(rows + 1 + for_file) } else { 0 };
+    let heights = [Constraint::Length(rows + 1), Constraint::Length(for_curves), Constraint::Min(0)];
+    let [top, middle, file] = Layout::vertical(heights).areas(side);
     pen.put_lines(top, 0, lines.iter().take(rows.into()));
+    if for_curves > 0 {
+        let panels = curves.panels.into_iter().take((middle.height / LEAST_CURVE).max(1).into()).collect();
+        pen.paint(&Figure { panels, ..curves }, middle);
+    }
     file::draw(pen, file);
+}
+
+fn is_moved(state: &State) -> bool {
+    matches!(state.build.task, Task::Move)
+}
+
+/// What follows while the chosen thing is moved.
+fn following(state: &State) -> Figure {
+    let Some(scene) = shown(state) else { return Figure::default() };
+    let point = match &state.build.chosen {
+        Some(Part::Point(point)) => scene.linkage.mechanism.point(point),
+        _ => None,
+    };
+    following::figure(scene, &state.pictured(), point)
+}
+
+/// The scene of the text as it is now, if something of it moves.
+fn shown(state: &State) -> Option<&Scene> {
+    let moves = state.build.read.as_ref().is_some_and(|read| read.readable.is_some());
+    state.scene.as_ref().filter(|_| moves && state.draft.shown == *state.draft.text())
 }
 
 fn parts(area: Rect) -> [Rect; 2] {
@@ -68,9 +104,8 @@ fn figure(state: &State) -> Figure {
         Some(Part::Link(link)) => sketch.mechanism.link(&link).into_iter().collect(),
         _ => Vec::new(),
     };
-    let shown =
-        state.scene.as_ref().filter(|_| state.draft.shown == *state.draft.text() && read.readable.is_some());
-    let look = Look { arrows: Arrows::None, ..state.pictured() };
+    let shown = shown(state);
+    let look = Look { arrows: Arrows::Applied, ..state.pictured() };
     let mut figure = match shown {
         Some(scene) if state.mode_of(state.chosen.group).is_some() => {
             picture::structure(scene, &state.pictured())
@@ -159,8 +194,8 @@ fn marks(state: &State, sketch: &Sketch) -> Vec<Item> {
     items
 }
 
-/// What is told of the task, or of the chosen thing.
-fn told(state: &State, width: usize) -> Vec<(Role, String)> {
+/// What is told of the task, or of the chosen thing, in so many rows that the measures of the motion are whole.
+fn told(state: &State, width: usize, room: usize) -> Vec<(Role, String)> {
     let mut lines = Vec::new();
     let mut tell = |role: Role, text: Text| {
         lines.extend(wrapped(&state.told(text), width).into_iter().map(|line| (role, line)));
@@ -194,19 +229,28 @@ fn told(state: &State, width: usize) -> Vec<(Role, String)> {
             }
         }
     }
-    lines.extend(state_of(state, width));
-    lines.extend(measures(state, width));
+    // What a mechanism consists of does not change while it is moved.
+    lines.extend(
+        state_of(state, width).into_iter().filter(|(role, _)| !is_moved(state) || *role != Role::Plain),
+    );
+    let room = room.saturating_sub(lines.len());
+    lines.extend(measures(state, width, room));
     lines
 }
 
-/// What is measured of the motion, which follows each key: strokes, transmission angles.
-fn measures(state: &State, width: usize) -> Vec<(Role, String)> {
+/// What is measured of the motion, which follows each key: strokes, transmission angles; as many as have room.
+fn measures(state: &State, width: usize, mut room: usize) -> Vec<(Role, String)> {
     let facts = state.found().map_or(&[][..], |found| &found.results);
     let facts = facts.iter().filter(|(about, _)| *about == About::Motion).take(MEASURES);
-    let told = facts.flat_map(|(_, fact)| {
+    let told = facts.map(|(_, fact)| {
         wrapped(&format!("{}: {}", state.told(fact.what()), state.told(fact.with_unit())), width)
     });
-    told.map(|line| (Role::Plain, line)).collect()
+    let fits = |lines: &Vec<String>| {
+        let left = room.checked_sub(lines.len());
+        room = left.unwrap_or(0);
+        left.is_some()
+    };
+    told.take_while(fits).flatten().map(|line| (Role::Plain, line)).collect()
 }
 
 /// Where the chosen thing is, and what its group is.

@@ -1,13 +1,16 @@
 //! A form: its fields, the sentence on the chosen one or what is wrong with it, and the file below.
 
 use assur_figure::{Axis, Figure, Frame, Ink, Item, Panel, Stroke};
-use assur_words::{Text, joined, list, text, unit};
+use assur_words::{Text, joined, list, name, text, unit};
 use ratatui::layout::{Constraint, Layout, Rect};
 
 use super::build::{FILE, state_of};
 use super::{file, values};
 use crate::screen::draw::{Pen, cut, short, wrapped};
 use crate::screen::state::{FormSource, FormTask, Role, State};
+
+/// Rows for the sentence on the chosen field; the help has a longer one whole.
+const ABOUT: usize = 5;
 
 /// The curve of the rows that are filled in, in the units of their columns.
 pub(super) fn curve(state: &State) -> Option<Figure> {
@@ -86,7 +89,11 @@ fn of_field(state: &State, form: &FormTask, width: usize) -> Vec<(Role, String)>
     } else {
         tell(Role::Dim, text!("build-field-name"));
     }
-    lines.truncate(5);
+    if lines.len() > ABOUT {
+        lines.truncate(ABOUT - 1);
+        let more = state.told(text!("build-about-more", key = name(state.keys.first("help"))));
+        lines.push((Role::Key, cut(&more, width)));
+    }
     lines
         .into_iter()
         .chain(state_of(state, width).into_iter().filter(|(role, _)| *role == Role::Bad).take(3))

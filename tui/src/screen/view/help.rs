@@ -1,6 +1,8 @@
 //! The help: what is chosen, every command by group, with its keys, and the words of the field; typing searches.
 
+mod built;
 mod chosen;
+mod subject;
 
 use assur_book::glossary::{ENTRIES, Entry};
 use assur_words::{Text, joined, name, text};

@@ -57,7 +57,7 @@ fn draw_numbers(pen: &mut Pen<'_>, scene: &Scene, figure: &Figure, area: Rect) {
             lines.extend(of_probe(state, scene, probe));
             Vec::new()
         }
-        (None, Arrows::Loads | Arrows::Reactions) => {
+        (None, Arrows::Applied | Arrows::Loads | Arrows::Reactions) => {
             let why = missing(scene, &state.pictured()).map_or_else(String::new, |why| state.told(why));
             lines.extend(wrapped(&why, width).into_iter().map(plain));
             std::mem::take(&mut legend)

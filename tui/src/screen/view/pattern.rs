@@ -1,7 +1,9 @@
 //! A kind of group as a drawing of its pattern.
 
 use assur_figure::{Bounds, Figure, Ink, Item, Panel, Scale, Sign, Stroke};
+use assur_group::PairSort;
 use assur_sketch::Addition;
+use assur_words::{Text, list, text};
 
 use super::build::MARGIN;
 
@@ -40,4 +42,13 @@ pub(super) fn figure(addition: &Addition) -> Figure {
     }
     let bounds = Bounds::around([[0.0, 0.0], [2.0, 1.4]].into_iter()).widened(MARGIN);
     Figure::of(Panel::plane(bounds, Scale::of("", ""), items))
+}
+
+/// The sorts of the inner and of the outer pairs of what is added.
+pub(super) fn pairs_of(addition: &Addition) -> [Text; 2] {
+    let (inner, outer) = addition.sorts.split_at(addition.pattern.inner.len());
+    let sort =
+        |sort: &PairSort| text!(if *sort == PairSort::Slide { "build-a-slide" } else { "build-a-pin" });
+    let sorts = |sorts: &[PairSort]| list(sorts.iter().map(sort));
+    [text!("structure-inner", pairs = sorts(inner)), text!("structure-outer", pairs = sorts(outer))]
 }

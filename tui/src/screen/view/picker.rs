@@ -2,11 +2,14 @@
 
 use assur_figure::{Figure, Ink, Stroke};
 use assur_picture::{mechanism, plots};
+use assur_sketch::{Addition, additions};
 use assur_words::{Text, name, number, text};
 use ratatui::layout::{Constraint, Layout, Rect};
 use ratatui::widgets::{Clear, Widget};
+use unicode_width::UnicodeWidthStr;
 
-use crate::screen::draw::{Pen, cut, short};
+use super::pattern;
+use crate::screen::draw::{Pen, cut, short, wrapped};
 use crate::screen::state::{Choice, Picker, PickerKind, Role, Scene, Series, State};
 
 /// Columns of the list of scenes.
@@ -29,6 +32,13 @@ pub(super) fn draw(pen: &mut Pen<'_>, picker: &Picker, area: Rect) {
         | PickerKind::Drives
         | PickerKind::Choices => rest.width,
     };
+    let room = usize::from(width.min(rest.width).saturating_sub(4));
+    let at = usize::from(rest.width.saturating_sub(2)).max(20);
+    let added = if picker.kind == PickerKind::Additions { additions() } else { Ok(Vec::new()) };
+    let added = added.unwrap_or_default();
+    let rows = picker.rows.iter().map(|choice| whole(pen.state, &added, choice, [room, at]).len());
+    let rows = short(rows.max().unwrap_or(0)).min(rest.height / 4);
+    let [rest, foot] = Layout::vertical([Constraint::Min(0), Constraint::Length(rows)]).areas(rest);
     let [list, picture] = Layout::horizontal([Constraint::Length(width), Constraint::Min(0)]).areas(rest);
     pen.tell(title, 1, 0, &picker.heading, Role::Header);
     let left = picker.left();
@@ -41,15 +51,33 @@ pub(super) fn draw(pen: &mut Pen<'_>, picker: &Picker, area: Rect) {
     for (row, (index, choice)) in shown.enumerate() {
         let (sign, role) = if index == picker.chosen { ('>', Role::Cursor) } else { (' ', Role::Plain) };
         let mark = if picker.marked.contains(&choice.name) { '*' } else { ' ' };
-        let text = cut(&choice.text, usize::from(list.width.saturating_sub(4)));
+        let text = cut(&choice.text, room);
         pen.put(list, 1, short(row), &format!("{sign}{mark}{text}"), role);
     }
     match (picker.kind, picker.choice()) {
         (PickerKind::Scenes, Some(choice)) => preview(pen, choice, picture),
         (PickerKind::Quantities, Some(choice)) => curve(pen, choice, picture),
-        (PickerKind::Additions, Some(choice)) => pattern(pen, choice, picture),
+        (PickerKind::Additions, Some(choice)) => {
+            if let Some(addition) = added.iter().find(|addition| addition.name == choice.name) {
+                pen.paint(&pattern::figure(addition), picture);
+            }
+        }
         _ => {}
     }
+    if let Some(choice) = picker.choice() {
+        let lines = whole(pen.state, &added, choice, [room, at]);
+        let lines: Vec<_> = lines.into_iter().take(rows.into()).map(|line| (Role::Key, line)).collect();
+        pen.put_lines(foot, 1, &lines);
+    }
+}
+
+/// What a row of the list has no room for: all of its text where that is cut, of what can be added the sorts of its pairs.
+fn whole(state: &State, added: &[Addition], choice: &Choice, [room, width]: [usize; 2]) -> Vec<String> {
+    let text = Some(choice.text.as_str()).filter(|text| text.width() > room);
+    let addition = added.iter().find(|addition| addition.name == choice.name);
+    let pairs = addition.map(|addition| pattern::pairs_of(addition).map(|text| state.told(text)).join("; "));
+    let all = text.into_iter().map(str::to_owned).chain(pairs);
+    all.flat_map(|text| wrapped(&text, width)).collect()
 }
 
 fn preview(pen: &mut Pen<'_>, choice: &Choice, area: Rect) {
@@ -68,16 +96,6 @@ fn preview(pen: &mut Pen<'_>, choice: &Choice, area: Rect) {
             let text = pen.state.told(text!("picker-reading", scene = name(choice.text.clone())));
             pen.put(area, 1, 0, &text, Role::Dim);
         }
-    }
-}
-
-fn pattern(pen: &mut Pen<'_>, choice: &Choice, area: Rect) {
-    let found = assur_sketch::additions()
-        .unwrap_or_default()
-        .into_iter()
-        .find(|addition| addition.name == choice.name);
-    if let Some(addition) = found {
-        pen.paint(&super::pattern::figure(&addition), area);
     }
 }
 

@@ -1,28 +1,20 @@
 //! What is chosen now, with which the help begins: a number of the scene, a group, a row, a quantity; else the view itself.
 
 use assur_analysis::results::Owner;
-use assur_book::glossary::{self, Entry};
-use assur_draft::Part;
-use assur_group::{GroupPlugin, Pair};
+use assur_book::glossary;
 use assur_mechanism::PairId;
 use assur_scene::reference::key_of;
-use assur_words::{Text, joined, list, name, text};
+use assur_words::{Text, joined, name, text};
 
+use super::built;
+use super::subject::{Chosen, angle_and_source, entries, group};
 use crate::explained;
-use crate::screen::state::{FormTask, Found, Scene, State, View, ViewPart, words_of};
-
-/// What is told of something: its name, lines of its own, and the words of the field that it is about.
-#[derive(Debug)]
-pub(super) struct Chosen {
-    pub(super) title: Text,
-    pub(super) lines: Vec<Text>,
-    pub(super) words: Vec<&'static Entry>,
-}
+use crate::screen::state::{Found, Scene, State, View, ViewPart};
 
 /// What is chosen now; `None` where no scene is open.
 pub(super) fn chosen(state: &State) -> Option<Chosen> {
     if state.view == View::Build {
-        return Some(built(state).unwrap_or_else(|| view(state, View::Build)));
+        return Some(built::chosen(state).unwrap_or_else(|| view(state, View::Build)));
     }
     let scene = state.scene.as_ref()?;
     if state.values_open()
@@ -48,29 +40,6 @@ fn of_view(state: &State, scene: &Scene, view: View) -> Option<Chosen> {
     }
 }
 
-/// While a mechanism is built: the field of the form, the group of the chosen link, or the chosen part.
-fn built(state: &State) -> Option<Chosen> {
-    if let Some(field) = state.build.form().and_then(FormTask::field) {
-        let known = key_of(&field.key)?;
-        let lines = vec![text!(known.about), explained::values(known)];
-        return Some(Chosen { title: Text::from(&field.key), lines, words: glossary::of_key(known.about) });
-    }
-    let part = state.build.lit()?;
-    match (&part, &state.scene) {
-        (Part::Link(link), Some(scene)) => {
-            let link = scene.linkage.mechanism.link(link)?;
-            let groups = &scene.linkage.structure.groups;
-            group(scene, groups.iter().position(|group| group.frame.links.contains(&link))?)
-        }
-        (Part::Slide(_), _) => Some(Chosen {
-            title: words_of(&part),
-            lines: Vec::new(),
-            words: entries(&["word-guide", "word-tilt"]),
-        }),
-        _ => None,
-    }
-}
-
 /// A number of the list of values, as the reference has it.
 fn value(state: &State) -> Option<Chosen> {
     let index = state.draft.chosen;
@@ -79,35 +48,6 @@ fn value(state: &State) -> Option<Chosen> {
     let title = joined(": ", [Text::from(key), name(state.draft.shown_value(index))]);
     let lines = vec![text!(known.about), explained::values(known)];
     Some(Chosen { title, lines, words: glossary::of_key(known.about) })
-}
-
-/// A group: what its kind is, its pairs, its angle, where it is singular, and the source of its formulas.
-fn group(scene: &Scene, index: usize) -> Option<Chosen> {
-    let linkage = &scene.linkage;
-    let (structure, mechanism) = (&linkage.structure, &linkage.mechanism);
-    let group = structure.groups.get(index)?;
-    let pairs =
-        |pairs: &[Pair]| list(pairs.iter().map(|pair| Text::from(structure.pair_name(mechanism, pair.id))));
-    let plugin = group.plugin;
-    let [angle, source] = angle_and_source(plugin);
-    let lines = vec![
-        plugin.summary.clone(),
-        text!("structure-inner", pairs = pairs(&group.frame.inner)),
-        text!("structure-outer", pairs = pairs(&group.outer())),
-        angle,
-        text!("structure-singular", places = &plugin.singular),
-        source,
-    ];
-    let words = ["word-group", "word-class", "word-determinant", "word-transmission"];
-    Some(Chosen { title: structure.group_name(mechanism, index), lines, words: entries(&words) })
-}
-
-/// The angle that shows how well a kind of group transmits forces, and the source of its formulas.
-fn angle_and_source(plugin: &GroupPlugin) -> [Text; 2] {
-    [
-        text!("structure-angle", angle = &plugin.force_angle.words),
-        text!("structure-source", source = &plugin.source),
-    ]
 }
 
 /// Something that happens over the cycle.
@@ -180,8 +120,4 @@ fn view(state: &State, view: View) -> Chosen {
     };
     let lines = state.named(view.command()).map(|command| text!(command.text)).into_iter().collect();
     Chosen { title: view.name(), lines, words: entries(words) }
-}
-
-fn entries(ids: &[&str]) -> Vec<&'static Entry> {
-    ids.iter().filter_map(|id| glossary::find(id)).collect()
 }
