@@ -13,6 +13,7 @@ mod lists;
 mod options;
 mod output;
 mod plans;
+mod program;
 mod scene;
 mod set;
 mod shell;
@@ -27,7 +28,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use assur_words::{Describe, name, text};
-use clap::CommandFactory;
+pub use program::Program;
 
 use args::{AnalyzeArgs, Cli, Command};
 use fault::{Fault, Status};
@@ -66,7 +67,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
 
 #[cfg(test)]
 pub(crate) fn program() -> clap::Command {
-    Cli::command()
+    program::command()
 }
 
 /// Help and version go to standard output, errors of usage to standard error.
@@ -140,7 +141,7 @@ fn scene_or_screen(cli: Cli, (config, config_fault): Configured, style: Style) -
             analyze::run(&AnalyzeArgs { checked, ..AnalyzeArgs::default() }, style)
         }
         (None, _) if !interactive => {
-            style.tell(name(Cli::command().render_help().to_string()));
+            style.tell(name(program::command().render_help().to_string()));
             Ok(Status::Bad)
         }
         (scene, _) => {

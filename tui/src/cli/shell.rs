@@ -2,29 +2,26 @@
 
 use std::path::Path;
 
-use assur_fixtures::SCENES;
-use clap::CommandFactory;
-
-use super::args::Cli;
 use super::fault::{Fault, Status};
-use super::output;
+use super::{output, program};
 use crate::files;
+use assur_fixtures::SCENES;
 
 pub(crate) fn completions(shell: clap_complete::Shell) -> Result<Status, Fault> {
     let mut script = Vec::new();
-    clap_complete::generate(shell, &mut Cli::command(), "assur", &mut script);
+    clap_complete::generate(shell, &mut program::command(), program::own().name, &mut script);
     output::print(&String::from_utf8_lossy(&script))?;
     Ok(Status::Done)
 }
 
 pub(crate) fn man() -> Result<Status, Fault> {
     let mut page = Vec::new();
-    let mut command = Cli::command();
+    let mut command = program::command();
     command.build();
     clap_mangen::Man::new(command.clone()).render(&mut page).map_err(Fault::other)?;
     for sub in command.get_subcommands().filter(|sub| sub.get_name() != "help") {
         let man = clap_mangen::Man::new(sub.clone());
-        let title = format!("assur {}", sub.get_name()).to_uppercase();
+        let title = format!("{} {}", program::own().name, sub.get_name()).to_uppercase();
         page.extend(format!(".SH {}\n", title.replace('-', "\\-")).bytes());
         man.render_description_section(&mut page).map_err(Fault::other)?;
         man.render_options_section(&mut page).map_err(Fault::other)?;

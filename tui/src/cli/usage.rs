@@ -4,10 +4,11 @@ use std::error::Error;
 use std::path::Path;
 
 use assur_words::{Describe, Text, Told, name, text};
+use clap::FromArgMatches;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
-use clap::{CommandFactory, Parser};
 
 use super::args::Cli;
+use super::program;
 
 /// What ends a command line before anything is done.
 pub(crate) enum Refused {
@@ -18,11 +19,11 @@ pub(crate) enum Refused {
 }
 
 pub(crate) fn parse(arguments: &[std::ffi::OsString]) -> Result<Cli, Refused> {
-    let cli = Cli::try_parse_from(arguments).map_err(|error| match explained(arguments, &error) {
+    let cli = parsed(arguments).map_err(|error| match explained(arguments, &error) {
         Some(fault) => Refused::Fault(fault),
         None => Refused::Parser(error),
     })?;
-    let program = Cli::command();
+    let program = program::command();
     let words = arguments.iter().skip(1).filter_map(|word| word.to_str());
     let command =
         words.filter(|_| cli.command.is_some()).find(|word| program.find_subcommand(word).is_some());
@@ -30,6 +31,12 @@ pub(crate) fn parse(arguments: &[std::ffi::OsString]) -> Result<Cli, Refused> {
         Some(fault) => Err(Refused::Fault(fault)),
         None => Ok(cli),
     }
+}
+
+fn parsed(arguments: &[std::ffi::OsString]) -> Result<Cli, clap::Error> {
+    let mut command = program::command();
+    let matches = command.try_get_matches_from_mut(arguments)?;
+    Cli::from_arg_matches(&matches).map_err(|error| error.format(&mut command))
 }
 
 /// The language that a command line names, whether or not the rest of it can be read.
@@ -41,7 +48,7 @@ pub(crate) fn language(arguments: &[std::ffi::OsString]) -> Option<&str> {
 
 /// The error in words that say what to write, if the order or the spelling of the words is wrong; `None`: the parser's will do.
 fn explained(arguments: &[std::ffi::OsString], error: &clap::Error) -> Option<Text> {
-    let program = Cli::command();
+    let program = program::command();
     let words: Vec<&str> = arguments.iter().skip(1).filter_map(|word| word.to_str()).collect();
     let command_at = words.iter().position(|word| program.find_subcommand(word).is_some());
     let before = &words[..command_at.unwrap_or(words.len())];
@@ -121,7 +128,7 @@ pub(crate) fn nearest_command(word: &str) -> Option<String> {
     if let Some((_, command)) = OTHER_NAMES.iter().find(|(other, _)| *other == word) {
         return Some((*command).to_owned());
     }
-    let program = Cli::command();
+    let program = program::command();
     let near = assur_scene::nearest(word, program.get_subcommands().map(clap::Command::get_name));
     near.filter(|near| *near != word).map(str::to_owned)
 }
