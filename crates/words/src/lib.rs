@@ -5,14 +5,16 @@
 //! translated by its English words.
 
 mod ascii;
+mod digits;
 mod language;
 mod text;
 
 pub use ascii::{latin, to_ascii};
+pub use digits::{digits, trimmed};
 pub use inventory;
 pub use language::{LANGUAGES, Language, Resource};
 pub use text::{
-    CoordinateKind, Describe, Text, Told, coordinate, count, degrees, joined, list, millimeters, name,
+    CoordinateKind, Describe, Text, Told, coordinate, count, degrees, exact, joined, labelled, list, millimeters, name,
     number, ordinal, quantity, text_of, unit,
 };
 

@@ -41,7 +41,7 @@ fn text_and_note_tell_every_fact_with_the_same_number() {
         let languages = LANGUAGES.into_iter().enumerate();
         let chosen = languages.filter(|(at, _)| SCENES.contains(scene) || number % LANGUAGES.len() == *at);
         for (_, code) in chosen {
-            let language = Language::find(code).unwrap();
+            let language = &Language::find(code).unwrap();
             let text = report(analysis, linkage, Some(&[0]), in_language(code)).unwrap();
             let html = of(scene, code, Form::Html).text;
             for fact in &facts {
