@@ -73,7 +73,11 @@ pub(crate) fn digits(value: f64, largest: f64, significant: usize) -> String {
     }
     let exponent = largest.log10().floor();
     if !(-4.0..7.0).contains(&exponent) {
-        return if value == 0.0 { "0".to_owned() } else { format!("{value:.*e}", significant.saturating_sub(1)) };
+        return if value == 0.0 {
+            "0".to_owned()
+        } else {
+            format!("{value:.*e}", significant.saturating_sub(1))
+        };
     }
     #[expect(clippy::cast_possible_truncation, reason = "between -4 and 7")]
     let exponent = exponent as i32;

@@ -29,7 +29,7 @@ impl Name {
     /// The same name with what a reader calls it, by the code of a language.
     #[must_use]
     pub fn with_labels(self, labels: impl IntoIterator<Item = (&'static str, String)>) -> Self {
-        Self { text: labelled(self.english.clone(), labels), ..self }
+        Self { text: labelled(self.text, labels), english: self.english }
     }
 
     /// The name in English.

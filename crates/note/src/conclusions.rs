@@ -36,7 +36,7 @@ pub(super) fn conclusions(context: &Context<'_>, page: &mut Document) {
 
 /// A fact in a row of others.
 fn sentence(fact: &Fact) -> Text {
-    let place = fact.place();
+    let place = if fact.is_constant { Text::default() } else { fact.place() };
     let told = joined(" ", [fact.what(), assur_words::name("—"), fact.with_unit()]);
     if place.is_empty() { told } else { text!("note-fact-at", fact = told, place) }
 }

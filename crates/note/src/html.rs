@@ -29,8 +29,8 @@ figure { margin: 4mm 0; text-align: center; break-inside: avoid; } figure svg { 
 figcaption, caption { font-size: 10pt; margin: 2mm 0; } caption { text-align: left; break-after: avoid; }
 table { border-collapse: collapse; margin: 4mm 0; width: 100%; font-size: 9.5pt; } table.short { break-inside: avoid; }
 thead { display: table-header-group; break-after: avoid; } tr { break-inside: avoid; }
-th, td { border: 0.3mm solid #666; padding: 0.6mm 1.5mm; text-align: left; } th { text-align: center; } td.n { text-align: right; white-space: nowrap; }
-.eq { margin: 0.8mm 0 0.8mm 8mm; display: flex; justify-content: space-between; } .eq span { overflow-wrap: anywhere; } .eq .no { margin-left: 4mm; } sub, sup { font-size: 70%; line-height: 0; }
+th, td { overflow-wrap: anywhere; border: 0.3mm solid #666; padding: 0.6mm 1.5mm; text-align: left; } th { text-align: center; } td.n { text-align: right; white-space: nowrap; }
+.eq { margin: 0.8mm 0 0.8mm 8mm; display: flex; justify-content: space-between; } .eq span { overflow-wrap: anywhere; } .eq .no { margin-left: 4mm; flex: none; white-space: nowrap; } sub, sup { font-size: 70%; line-height: 0; }
 @media print { body { padding: 0; max-width: none; } }
 ";
 /// A table of at most so many rows is not divided between pages.
@@ -59,14 +59,16 @@ pub(super) fn write(sheet: &NoteSheet<'_>) -> String {
                 writeln!(text, "<h2 id=\"chapter-{chapter}\">{}</h2>", line(title))
             }
             Block::Subheading(title) => writeln!(text, "<h3>{}</h3>", line(title)),
-            Block::Paragraph(words) => sheet
-                .paragraphs(words)
-                .iter()
-                .try_for_each(|words| writeln!(text, "<p>{}</p>", rich(words))),
+            Block::Paragraph(words) => {
+                sheet.paragraphs(words).iter().try_for_each(|words| writeln!(text, "<p>{}</p>", rich(words)))
+            }
             Block::Equation(terms) => {
                 equations += 1;
                 let formula = equation(sheet, terms);
-                writeln!(text, "<p class=\"eq\"><span>{formula}</span><span class=\"no\">({equations})</span></p>")
+                writeln!(
+                    text,
+                    "<p class=\"eq\"><span>{formula}</span><span class=\"no\">({equations})</span></p>"
+                )
             }
             Block::Figure { frames, size, caption } => {
                 let (drawn, _) = svg::animate(frames, Page::Within(*size), TURN, sheet.language);
@@ -83,9 +85,7 @@ pub(super) fn write(sheet: &NoteSheet<'_>) -> String {
 
 /// The cover; a row that is left out is a ruled line.
 fn cover(cover: &Cover, line: &impl Fn(&Text) -> String) -> String {
-    let filled = |row: Option<&Text>| {
-        row.map_or_else(|| "<span class=\"rule\"></span>".to_owned(), line)
-    };
+    let filled = |row: Option<&Text>| row.map_or_else(|| "<span class=\"rule\"></span>".to_owned(), line);
     let mut text = "<section class=\"cover\"><div>".to_owned();
     for row in &cover.above {
         let _ = write!(text, "<p>{}</p>", filled(row.as_ref()));

@@ -33,10 +33,9 @@ pub(super) fn write(sheet: &NoteSheet<'_>, folder: &str) -> Written {
             Block::Title(_) => Ok(()),
             Block::Heading(title) => writeln!(text, "## {}\n", line(title)),
             Block::Subheading(title) => writeln!(text, "### {}\n", line(title)),
-            Block::Paragraph(words) => sheet
-                .paragraphs(words)
-                .iter()
-                .try_for_each(|words| writeln!(text, "{}\n", rich(words))),
+            Block::Paragraph(words) => {
+                sheet.paragraphs(words).iter().try_for_each(|words| writeln!(text, "{}\n", rich(words)))
+            }
             Block::Equation(terms) => {
                 equations += 1;
                 writeln!(text, "${} \\qquad ({equations})$\n", equation(sheet, terms))

@@ -94,7 +94,8 @@ fn curves(context: &Context<'_>, page: &mut Document) -> Result<(), Text> {
         };
         let picked: Vec<String> = names.iter().map(column).collect::<Result<_, _>>()?;
         let figure = curves::figure(context.results, &Look { picked: &picked, ..context.first() });
-        let titles = picked.iter().filter_map(|short| context.results.named(short)).map(|series| series.title());
+        let titles =
+            picked.iter().filter_map(|short| context.results.named(short)).map(|series| series.title());
         let caption = text!("note-curves-of", of = list(titles));
         show(page, "note-see-curves", (on_paper(figure), CURVES), caption);
     }
@@ -174,11 +175,7 @@ fn kinematics(context: &Context<'_>, page: &mut Document) {
     let caption = text!("note-mechanism-at", place = context.places());
     show(page, "note-see-positions", (drawn, MECHANISMS), caption);
     for (kind, told, caption) in [
-        (
-            ViewPart::Velocities,
-            "note-see-velocities",
-            text!("note-velocity-plan", place = context.places()),
-        ),
+        (ViewPart::Velocities, "note-see-velocities", text!("note-velocity-plan", place = context.places())),
         (
             ViewPart::Accelerations,
             "note-see-accelerations",

@@ -2,7 +2,7 @@
 
 use assur_book::{Block, Printed, Table};
 use assur_figure::svg::lowered;
-use assur_words::{Language, Text, joined, name, number, unit};
+use assur_words::{Language, Text, joined, number, unit};
 
 use crate::cover::Cover;
 
@@ -29,23 +29,24 @@ impl NoteSheet<'_> {
 
     /// Gives headings, figures and tables their numbers.
     pub(super) fn number(&mut self) {
-        let language = self.language;
         let [mut parts, mut figures, mut tables] = [0_usize; 3];
-        let numbered = |id: &'static str, count: &mut usize, caption: &mut Text| {
+        let mut chapter = Text::default();
+        let numbered = |id: &'static str, count: &mut usize, caption: &mut Text, chapter: &Text| {
             *count += 1;
-            let whole = Text::message(id, vec![("number", number(*count)), ("caption", caption.clone())]);
-            let bare = |whole: String| whole.trim_end_matches(['.', ' ']).to_owned();
-            *caption = if caption.is_empty() { name(bare(whole.render(language))) } else { whole };
+            // What has no name of its own is all that the chapter has.
+            let own = if caption.is_empty() { chapter } else { caption }.clone();
+            *caption = Text::message(id, vec![("number", number(*count)), ("caption", own)]);
         };
         for block in &mut self.blocks {
             match block {
                 Block::Heading(title) => {
                     parts += 1;
+                    chapter = title.clone();
                     *title = joined(". ", [number(parts), title.clone()]);
                 }
-                Block::Figure { caption, .. } => numbered("note-figure", &mut figures, caption),
+                Block::Figure { caption, .. } => numbered("note-figure", &mut figures, caption, &chapter),
                 Block::Table(Table { caption, .. }) | Block::Facts { caption, .. } => {
-                    numbered("note-table", &mut tables, caption);
+                    numbered("note-table", &mut tables, caption, &chapter);
                 }
                 _ => {}
             }

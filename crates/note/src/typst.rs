@@ -28,16 +28,19 @@ pub(super) fn write(sheet: &NoteSheet<'_>) -> String {
         let what = what.map_or_else(String::new, |what| line(what) + ": ");
         let _ = writeln!(text, "  {what}{}\n\n  #v(1fr)\n", row.map_or_else(|| RULE.to_owned(), line));
     }
-    let _ = writeln!(text, "]\n#pagebreak()\n\n#outline(title: [{}])\n#pagebreak()\n", line(&text!("note-contents")));
+    let _ = writeln!(
+        text,
+        "]\n#pagebreak()\n\n#outline(title: [{}])\n#pagebreak()\n",
+        line(&text!("note-contents"))
+    );
     for block in &sheet.blocks {
         let _ = match block {
             Block::Title(_) => Ok(()),
             Block::Heading(title) => writeln!(text, "= {}\n", line(title)),
             Block::Subheading(title) => writeln!(text, "== {}\n", line(title)),
-            Block::Paragraph(words) => sheet
-                .paragraphs(words)
-                .iter()
-                .try_for_each(|words| writeln!(text, "{}\n", rich(words))),
+            Block::Paragraph(words) => {
+                sheet.paragraphs(words).iter().try_for_each(|words| writeln!(text, "{}\n", rich(words)))
+            }
             Block::Equation(terms) => writeln!(text, "$ {} $\n", equation(sheet, terms)),
             // Paper does not move.
             Block::Figure { frames, size, caption } => {

@@ -1,7 +1,7 @@
 //! What a reader calls the parts of a scene, and other texts for readers: in one language, or a table of languages.
 
 use assur_mechanism::{Name, PointId};
-use assur_words::{LANGUAGES, Text, labelled, text};
+use assur_words::{LANGUAGES, Text, labelled, name, text};
 
 use crate::linkage::SceneLinks;
 use crate::text::is_unprintable;
@@ -11,10 +11,7 @@ use crate::walk::{Entry, Section};
 pub(crate) type Labels = Vec<(&'static str, String)>;
 
 /// Reads a text of one line; one without languages is that of all of them. `read`: one text.
-fn by_language<'a>(
-    entry: &Entry<'a>,
-    read: impl Fn(&Entry<'a>) -> Option<String>,
-) -> Option<Labels> {
+fn by_language<'a>(entry: &Entry<'a>, read: impl Fn(&Entry<'a>) -> Option<String>) -> Option<Labels> {
     if entry.value.is_str() {
         let text = read(entry)?;
         return Some(LANGUAGES.map(|code| (code, text.clone())).into());
@@ -77,7 +74,7 @@ impl Section<'_> {
 }
 
 fn whole(labels: Labels) -> Option<Text> {
-    Some(labelled(first(&labels), labels)).filter(|text| !text.is_empty())
+    Some(labelled(name(first(&labels)), labels)).filter(|text| !text.is_empty())
 }
 
 /// English is the first of the languages.

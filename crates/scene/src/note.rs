@@ -159,17 +159,13 @@ pub(crate) fn read(root: &Section<'_>, positions: Option<usize>) -> Note {
 
 /// The columns of a diagram, with commas between them.
 fn columns(entry: &Entry<'_>) -> Option<Vec<String>> {
-    let columns = entry.text(text!("scene-columns-of-a-diagram"))?.split(',').map(|name| name.trim().to_owned());
+    let columns =
+        entry.text(text!("scene-columns-of-a-diagram"))?.split(',').map(|name| name.trim().to_owned());
     Some(columns.filter(|name| !name.is_empty()).collect())
 }
 
 /// The elements of a list, at most so many.
-fn each<T>(
-    section: &Section<'_>,
-    key: &str,
-    most: usize,
-    read: impl Fn(&Entry<'_>) -> Option<T>,
-) -> Vec<T> {
+fn each<T>(section: &Section<'_>, key: &str, most: usize, read: impl Fn(&Entry<'_>) -> Option<T>) -> Vec<T> {
     let Some(entry) = section.get(key) else { return Vec::new() };
     let wanted = match key {
         "positions" => text!("scene-list-of-positions"),

@@ -8,8 +8,8 @@ use crate::context::Context;
 use crate::linkage::{SceneLinks, pair};
 use crate::over_time::Timing;
 use crate::text::{row, shown, such_as};
-use crate::walk::{Entry, Section};
 use crate::units::Dimension;
+use crate::walk::{Entry, Section};
 
 /// Reads `[assembly]`: rough positions of points.
 pub(crate) fn assembly(root: &Section<'_>, linkage: &SceneLinks) -> Vec<(PointId, [f64; 2])> {

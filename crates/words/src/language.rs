@@ -85,7 +85,7 @@ impl Language {
             Content::Name(letters) => letters.clone().into_owned(),
             Content::Labelled { name, labels } => {
                 let own = labels.iter().find(|(code, _)| self.has_labels && *code == self.code);
-                own.map_or_else(|| name.clone().into_owned(), |(_, label)| label.clone())
+                own.map_or_else(|| self.render(name), |(_, label)| label.clone())
             }
             Content::Number { digits, exact } => match exact.zip(self.digits) {
                 Some((bits, digits)) => self.number(&trimmed(f64::from_bits(bits), digits)),

@@ -14,8 +14,8 @@ pub use digits::{digits, trimmed};
 pub use inventory;
 pub use language::{LANGUAGES, Language, Resource};
 pub use text::{
-    CoordinateKind, Describe, Text, Told, coordinate, count, degrees, exact, joined, labelled, list, millimeters, name,
-    number, ordinal, quantity, text_of, unit,
+    CoordinateKind, Describe, Text, Told, coordinate, count, degrees, exact, joined, labelled, list,
+    millimeters, name, number, ordinal, quantity, text_of, unit,
 };
 
 resources!();

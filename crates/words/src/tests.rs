@@ -2,7 +2,10 @@
 
 use fluent_bundle::FluentResource;
 
-use crate::{Describe, LANGUAGES, Language, Resource, Text, Told, count, exact, labelled, list, name, number, quantity, unit};
+use crate::{
+    Describe, LANGUAGES, Language, Resource, Text, Told, count, exact, labelled, list, name, number,
+    quantity, unit,
+};
 
 fn in_all(text: &Text) -> [String; 3] {
     LANGUAGES.map(|code| text.render(Language::find(code).unwrap()))
@@ -37,7 +40,7 @@ fn a_result_is_rounded_once_to_the_digits_of_a_language() {
 
 #[test]
 fn a_label_is_for_readers_in_their_language_and_files_have_the_name() {
-    let crank = labelled("crank", [("uk", "кривошип".to_owned()), ("en", "driver".to_owned())]);
+    let crank = labelled(name("crank"), [("uk", "кривошип".to_owned()), ("en", "driver".to_owned())]);
     let of = list([crank.clone(), name("A")]);
     assert_eq!(in_all(&of), ["driver, A", "кривошип, A", "crank, A"]);
     assert_eq!(of.to_string(), "crank, A");

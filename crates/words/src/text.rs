@@ -15,7 +15,7 @@ pub(crate) enum Content {
     /// The same letters in every language.
     Name(Cow<'static, str>),
     /// What is found by its name, and what a reader calls it: by the code of a language.
-    Labelled { name: Cow<'static, str>, labels: Vec<(&'static str, String)> },
+    Labelled { name: Box<Text>, labels: Vec<(&'static str, String)> },
     /// Digits as English prints them; the bits of the number that was rounded to them, where it is known.
     Number { digits: String, exact: Option<u64> },
     /// The symbol of a unit in English.
@@ -63,12 +63,10 @@ impl Text {
     /// Whether it has no letters in any language.
     pub fn is_empty(&self) -> bool {
         match &self.0 {
-            Content::Name(letters) | Content::Labelled { name: letters, .. } | Content::Unit(letters) => {
-                letters.is_empty()
-            }
+            Content::Name(letters) | Content::Unit(letters) => letters.is_empty(),
             Content::Number { digits, .. } => digits.is_empty(),
             Content::Joined { parts, .. } => parts.iter().all(Self::is_empty),
-            Content::Short(text) => text.is_empty(),
+            Content::Short(text) | Content::Labelled { name: text, .. } => text.is_empty(),
             Content::Message { .. } | Content::Count(_) => false,
         }
     }
@@ -81,7 +79,8 @@ impl Text {
     /// What stands in it with the same letters in every language: names, not labels, keys, paths, symbols.
     pub fn names(&self) -> Vec<&str> {
         match &self.0 {
-            Content::Name(letters) | Content::Labelled { name: letters, .. } => vec![letters],
+            Content::Name(letters) => vec![letters],
+            Content::Labelled { name, .. } => name.names(),
             Content::Message { values, .. } => values.iter().flat_map(|(_, value)| value.names()).collect(),
             Content::Short(text) => text.names(),
             Content::Joined { parts, .. } => parts.iter().flat_map(Self::names).collect(),
@@ -121,13 +120,10 @@ pub fn name(letters: impl Into<Cow<'static, str>>) -> Text {
     Text(Content::Name(letters.into()))
 }
 
-/// What is found by a name, and what a reader calls it, by the code of a language; in a language that is left out the name. Files
+/// What is found by a name, and what a reader calls it, by the code of a language; in a language that is left out its name there. Files
 /// have the name in every language.
-pub fn labelled(
-    name: impl Into<Cow<'static, str>>,
-    labels: impl IntoIterator<Item = (&'static str, String)>,
-) -> Text {
-    Text(Content::Labelled { name: name.into(), labels: labels.into_iter().collect() })
+pub fn labelled(name: impl Into<Text>, labels: impl IntoIterator<Item = (&'static str, String)>) -> Text {
+    Text(Content::Labelled { name: Box::new(name.into()), labels: labels.into_iter().collect() })
 }
 
 /// A number by its digits as English prints them: `-1.5e-7`. A language has its own decimal sign, minus and powers of ten.

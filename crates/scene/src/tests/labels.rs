@@ -45,7 +45,13 @@ fn readers_have_labels_and_files_have_names() {
     assert_eq!(in_all(&scene.links[1].name), ["важіль"; 3]);
     assert_eq!(in_all(&scene.points[1].name), ["A₁"; 3]);
     assert_eq!(in_all(&scene.loads[0].name), ["pull", "натяг", "load"]);
-    let names = [&scene.title, &scene.links[0].name, &scene.links[1].name, &scene.points[1].name, &scene.loads[0].name];
+    let names = [
+        &scene.title,
+        &scene.links[0].name,
+        &scene.links[1].name,
+        &scene.points[1].name,
+        &scene.loads[0].name,
+    ];
     assert_eq!(names.map(ToString::to_string), ["Механізм", "ground", "arm", "A", "load"]);
     assert!(scene.has_structure_of(&read("a", &SCENE.replace("важіль", "arm")).unwrap()));
 }

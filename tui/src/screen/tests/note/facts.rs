@@ -41,7 +41,7 @@ fn text_and_note_tell_every_fact_with_the_same_number() {
         let languages = LANGUAGES.into_iter().enumerate();
         let chosen = languages.filter(|(at, _)| SCENES.contains(scene) || number % LANGUAGES.len() == *at);
         for (_, code) in chosen {
-            let language = &Language::find(code).unwrap();
+            let language = Language::find(code).unwrap();
             let text = report(analysis, linkage, Some(&[0]), in_language(code)).unwrap();
             let html = of(scene, code, Form::Html).text;
             for fact in &facts {
@@ -63,6 +63,9 @@ fn text_and_note_tell_every_fact_with_the_same_number() {
                     text.lines().any(told) || text.contains(&format!("{what}: {words}")),
                     "{scene} {code}: {what} {value} {unit}"
                 );
+                // The note has digits of its own.
+                let of_note = language.with_digits(assur_scene::Note::default().digits);
+                let value = fact.value().render(&of_note);
                 let cell = |text: &str| format!(">{}</td>", escaped(&text.replace("->", "→")));
                 let row =
                     html.split("<tr>").find(|row| row.contains(&cell(&what)) && row.contains(&cell(&value)));

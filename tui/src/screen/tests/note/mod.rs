@@ -3,6 +3,7 @@
 mod facts;
 mod figures;
 mod numbers;
+mod teacher;
 
 use std::collections::BTreeSet;
 
