@@ -1,10 +1,11 @@
 //! What every part of the note is made from.
 
 use assur_book::Document;
-use assur_figure::{Figure, Frame, Panel};
+use assur_figure::Figure;
+pub(super) use assur_picture::paper::{on_paper, still};
 use assur_picture::{Found, Look, Results};
 use assur_report::topic::Source;
-use assur_words::{Text, joined, list, text};
+use assur_words::{Text, joined, text};
 
 /// A scene whose analysis is done, and what is told of it.
 pub(super) struct Context<'a> {
@@ -67,20 +68,4 @@ impl Context<'_> {
 /// A position, of which nothing else is chosen.
 pub(super) fn look(position: usize) -> Look<'static> {
     Look { position, ..Look::default() }
-}
-
-/// A figure without its title (the caption says what it is) and without what belongs to a position on a screen: the cursor and
-/// the value at it.
-pub(super) fn on_paper(mut figure: Figure) -> Figure {
-    figure.panels.iter_mut().for_each(still);
-    Figure { title: Text::default(), ..figure }
-}
-
-/// Takes the cursor from a plot, and the value at it; the unit stays in its heading.
-pub(super) fn still(panel: &mut Panel) {
-    let Frame::Axes { cursor, y, .. } = &mut panel.frame else { return };
-    *cursor = None;
-    if !y.label.is_empty() {
-        panel.title = list([panel.title.clone(), y.label.clone()]);
-    }
 }

@@ -78,15 +78,7 @@ pub fn write(results: &Results, note: &Note, form: Form, folder: &str) -> Result
         let [most, parts, count] = [MOST_PARTS / parts, parts, count].map(|number| name(number.to_string()));
         return Err(text!("note-too-many", most, parts, count));
     }
-    let exists = |position: &usize| *position < count && !results.broken.contains_key(position);
-    // Two positions in different parts of the cycle, unless the scene chooses.
-    let chosen =
-        if note.positions.is_empty() { vec![count / 8, 5 * count / 8] } else { note.positions.clone() };
-    let mut positions: Vec<usize> = chosen.into_iter().filter(exists).collect();
-    if positions.is_empty() {
-        positions.push(results.first_position());
-    }
-    positions.dedup();
+    let positions = results.chosen(&note.positions);
     let Document { blocks, .. } = document(results, &positions)?;
     let mut sheet = NoteSheet { title: &mechanism.title, author: sheet::author(note), blocks, language };
     // Typst numbers headings, figures and tables itself.

@@ -22,6 +22,7 @@ mod motion;
 mod numbers;
 mod over_time;
 mod reading;
+mod sheet;
 pub mod reference;
 mod render;
 mod scan;
@@ -46,6 +47,7 @@ use walk::Section;
 
 pub use error::{SceneError, SceneErrors};
 pub use reading::{Note, Reading, SceneNumber};
+pub use sheet::{SHEET_FIELDS, Sheet, SheetField, SheetFormat, SheetPositions};
 pub use text::nearest;
 pub use units::{Dimension, LEAST, Unit, UnitError, UnitFault, quantity};
 

@@ -9,6 +9,7 @@ use assur_mechanism::{Key, Mechanism, Step};
 use toml::Spanned;
 use toml::de::{DeArray, DeTable, DeValue};
 
+use crate::sheet::Sheet;
 use crate::units::{self, Dimension};
 
 /// What a scene says about its explanatory note.
@@ -24,6 +25,8 @@ pub struct Note {
     pub language: &'static str,
     /// Numbers of the positions that are drawn and worked out; empty: chosen by the program.
     pub positions: Vec<usize>,
+    /// What it says about its drawing sheet.
+    pub sheet: Sheet,
 }
 
 /// A scene that was read.

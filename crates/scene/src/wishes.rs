@@ -9,7 +9,7 @@ use crate::linkage::{SceneLinks, pair};
 use crate::over_time::Timing;
 use crate::text::{row, shown, such_as};
 use crate::walk::{Entry, Section};
-use crate::{reading::Note, units::Dimension};
+use crate::{reading::Note, sheet, units::Dimension};
 
 /// Reads `[assembly]`: rough positions of points.
 pub(crate) fn assembly(root: &Section<'_>, linkage: &SceneLinks) -> Vec<(PointId, [f64; 2])> {
@@ -102,7 +102,8 @@ const MOST_POSITIONS: usize = 12;
 
 /// Reads `[note]`; `positions` is the number of positions of the scene, where it is known.
 pub(crate) fn read(root: &Section<'_>, positions: Option<usize>) -> Note {
-    let mut note = Note { author: None, group: None, variant: None, language: "en", positions: Vec::new() };
+    let sheet = sheet::read(root, positions);
+    let mut note = Note { author: None, group: None, variant: None, language: "en", positions: Vec::new(), sheet };
     let Some(section) = root.inner("note") else { return note };
     let line = |key: &str| section.get(key).and_then(|entry| entry.line());
     (note.author, note.group, note.variant) = (line("author"), line("group"), line("variant"));

@@ -31,7 +31,7 @@ pub(crate) struct DrawArgs {
 }
 
 /// The results of a scene; what they lack, and what is probably not meant in it, is told.
-fn analyzed(
+pub(super) fn analyzed(
     session: &Session,
     options: &Options,
     checks: bool,
