@@ -1,11 +1,12 @@
 //! What every part of the note is made from.
 
 use assur_book::{Block, Document};
-use assur_figure::{Figure, Frame, Panel};
+use assur_figure::Figure;
+pub(super) use assur_picture::paper::{on_paper, still};
 use assur_picture::{Found, Look, Results};
 use assur_report::topic::Source;
 use assur_scene::Note;
-use assur_words::{Language, Text, joined, list, number, text};
+use assur_words::{Language, Text, joined, number, text};
 
 use crate::formula::Formulas;
 
@@ -100,20 +101,4 @@ pub(super) fn show_frames(
 /// A position, of which nothing else is chosen.
 pub(super) fn look(position: usize) -> Look<'static> {
     Look { position, ..Look::default() }
-}
-
-/// A figure without its title (the caption says what it is) and without what belongs to a position on a screen: the cursor and
-/// the value at it.
-pub(super) fn on_paper(mut figure: Figure) -> Figure {
-    figure.panels.iter_mut().for_each(still);
-    Figure { title: Text::default(), ..figure }
-}
-
-/// Takes the cursor from a plot, and the value at it; the unit stays in its heading.
-pub(super) fn still(panel: &mut Panel) {
-    let Frame::Axes { cursor, y, .. } = &mut panel.frame else { return };
-    *cursor = None;
-    if !y.label.is_empty() {
-        panel.title = list([panel.title.clone(), y.label.clone()]);
-    }
 }

@@ -2,9 +2,8 @@
 
 use assur_analysis::results::{Column, Failure, Owner, Quantity};
 use assur_book::{Block, Document};
-use assur_figure::{Figure, Item, Panel, mechanism::Drawing};
-use assur_mechanism::LinkId;
-use assur_picture::{Look, Picture, ViewPart, curves, mechanism, motion, plans, regime};
+use assur_figure::{Item, Panel};
+use assur_picture::{Look, Picture, ViewPart, assembly, curves, mechanism, motion, plans, regime};
 use assur_report::topic;
 use assur_scene::Chapter;
 use assur_words::{Text, list, name, number, text};
@@ -26,10 +25,10 @@ const DIAGRAM: [f64; 2] = [130.0, 110.0];
 const LINK: [f64; 2] = [165.0, 75.0];
 /// Page of the two drives, mm.
 const PLACES: [f64; 2] = [165.0, 90.0];
-/// Width of the assembly and height of a row of its panels, mm; panels beside each other, and in one figure.
-const PANELS: [f64; 2] = [165.0, 78.0];
-const COLUMNS: usize = 2;
-const MOST: usize = 6;
+/// Width of the assembly and height of a row of its panels, mm.
+const PANELS: [f64; 2] = [165.0, 85.0];
+/// Positions over each other.
+const OVER: usize = 12;
 
 pub(super) fn document(context: &Context<'_>) -> Result<Document, Text> {
     let mut page = Document::default();
@@ -126,44 +125,20 @@ fn task(context: &Context<'_>, page: &mut Document) {
     let frames: Vec<_> = frames.collect();
     let caption = text!("note-mechanism-moving", at = context.place(results.first_position()));
     show_frames(page, "note-see-mechanism", (frames, MECHANISM), caption);
+    let others: Vec<usize> = (0..OVER).map(|at| at * results.positions() / OVER).collect();
+    let over = on_paper(assembly::positions(results, &others, context.positions[0]));
+    let caption = text!("note-all-positions", place = context.place(context.positions[0]));
+    show(page, "note-see-all-positions", (over, MECHANISM), caption);
 }
 
 /// Mobility, pairs, groups, and the mechanism assembled group by group.
 fn structure(context: &Context<'_>, page: &mut Document) {
     page.heading(text!("report-structure"));
     context.tell(page, &[topic::mobility, topic::pairs, topic::groups]);
-    let figure = assembly(context);
+    let figure = assembly::groups(context.results, context.positions[0]);
     let size = [PANELS[0], PANELS[1] * figure.rows() as f64];
     let caption = text!("note-assembly", place = context.place(context.positions[0]));
     show(page, "note-see-assembly", (figure, size), caption);
-}
-
-/// The input link alone, then with the first group, with the second one, and so on; the new links are marked.
-fn assembly(context: &Context<'_>) -> Figure {
-    let results = context.results;
-    let Some(pose) = results.pose(context.positions[0], 0.0) else { return Figure::default() };
-    let linkage = &results.linkage;
-    let inputs: Vec<LinkId> = linkage.mechanism.input.placed().collect();
-    let mut hidden: Vec<LinkId> =
-        (1..linkage.mechanism.links.len()).filter(|link| !inputs.contains(link)).collect();
-    let mut panel = |title: Text, marked: &[LinkId]| {
-        hidden.retain(|link| !marked.contains(link));
-        let drawing = Drawing { hidden: &hidden, ..mechanism::drawing(results, marked) };
-        Panel { title, ..mechanism::plane(results, drawing.items(&pose)) }
-    };
-    // A pair between two moving links belongs to a group.
-    let named = |input: &LinkId| Text::from(&linkage.mechanism.links[*input].name);
-    let mut panels = Vec::new();
-    if !inputs.is_empty() {
-        let title = text!("note-input-link", link = assur_words::list(inputs.iter().map(named)));
-        panels.push(panel(title, &inputs));
-    }
-    for (index, group) in linkage.structure.groups.iter().enumerate().take(MOST - 1) {
-        let kind = name(group.plugin.name.to_uppercase());
-        panels.push(panel(text!("note-with-group", number = number(index + 1), kind), &group.frame.links));
-    }
-    let columns = COLUMNS.min(panels.len());
-    Figure { panels, columns, ..Figure::default() }
 }
 
 /// The mechanism and its plans in the chosen positions, tables of rates, curves of the last quantity.

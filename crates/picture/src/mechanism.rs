@@ -145,7 +145,7 @@ fn traces(results: &Results, look: &Look<'_>) -> Vec<Item> {
     }
 }
 
-fn paths(results: &Results, wanted: impl Fn(usize) -> bool) -> Vec<Item> {
+pub(crate) fn paths(results: &Results, wanted: impl Fn(usize) -> bool) -> Vec<Item> {
     let paths = results.outline.paths.iter().enumerate().filter(|(id, path)| !path.is_empty() && wanted(*id));
     paths.map(|(_, path)| Item::line(path.as_slice(), Stroke::Dotted, Ink::Trace)).collect()
 }

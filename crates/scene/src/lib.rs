@@ -27,6 +27,7 @@ mod reading;
 pub mod reference;
 mod render;
 mod scan;
+mod sheet;
 #[cfg(test)]
 mod tests;
 mod text;
@@ -49,6 +50,7 @@ use walk::Section;
 pub use error::{SceneError, SceneErrors};
 pub use note::{Chapter, Note};
 pub use reading::{Reading, SceneNumber};
+pub use sheet::{SHEET_FIELDS, Sheet, SheetField, SheetFormat, SheetPositions};
 pub use text::nearest;
 pub use units::{Dimension, LEAST, Unit, UnitError, UnitFault, quantity};
 

@@ -2,6 +2,7 @@
 
 use assur_words::{Text, text};
 
+use crate::sheet::{self, Sheet};
 use crate::walk::{Entry, Section};
 
 /// What a scene says about its explanatory note. What it leaves out of the cover is for writing by hand.
@@ -39,6 +40,8 @@ pub struct Note {
     pub chapters: Option<Vec<Chapter>>,
     /// Significant digits of its numbers.
     pub digits: usize,
+    /// What the scene says about its drawing sheet.
+    pub sheet: Sheet,
 }
 
 impl Default for Note {
@@ -60,6 +63,7 @@ impl Default for Note {
             curves: Vec::new(),
             chapters: None,
             digits: DIGITS,
+            sheet: Sheet::default(),
         }
     }
 }
@@ -132,7 +136,8 @@ const MOST_DIGITS: usize = 12;
 
 /// Reads `[note]`; `positions` is the number of positions of the scene, where it is known.
 pub(crate) fn read(root: &Section<'_>, positions: Option<usize>) -> Note {
-    let Some(section) = root.inner("note") else { return Note::default() };
+    let sheet = sheet::read(root, positions);
+    let Some(section) = root.inner("note") else { return Note { sheet, ..Note::default() } };
     let most = positions.unwrap_or(usize::MAX).saturating_sub(1);
     let digits = section.get("digits").and_then(|entry| entry.count(FEWEST_DIGITS, MOST_DIGITS));
     Note {
@@ -154,6 +159,7 @@ pub(crate) fn read(root: &Section<'_>, positions: Option<usize>) -> Note {
             .get("chapters")
             .map(|_| each(&section, "chapters", CHAPTERS.len(), |entry| entry.choice(&CHAPTERS))),
         digits: digits.unwrap_or(DIGITS),
+        sheet,
     }
 }
 

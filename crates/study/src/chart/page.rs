@@ -84,7 +84,7 @@ fn panel(data: &ChartData, stage: Stage) -> Option<Panel> {
         let [low, high] = extent(rows.iter().map(|(_, place)| place[at]))?;
         // Whole powers of ten.
         let range = [10.0_f64.powf(low.log10().floor()), 10.0_f64.powf(high.log10().floor() + 1.0)];
-        Some(Axis { label, range, kind: AxisKind::Logarithmic })
+        Some(Axis { label, range, kind: AxisKind::Logarithmic, scale: None })
     };
     let time = text!("chart-time-axis", work = stage.work(), unit = unit("s"));
     let (x, y) = (axis(time, 0)?, axis(text!("chart-error-axis"), 1)?);
