@@ -2,7 +2,7 @@
 owner-link = звено { $name }
 owner-point = точка { $name }
 owner-slide = поступательная пара { $name }
-owner-pair-on = { $name } -> { $link }
+owner-pair-on = { $name } ({ $link })
 owner-group = группа { $number }
 owner-drive = привод { $name }
 owner-load = нагрузка { $name }

@@ -2,7 +2,7 @@
 owner-link = ланка { $name }
 owner-point = точка { $name }
 owner-slide = поступальна пара { $name }
-owner-pair-on = { $name } -> { $link }
+owner-pair-on = { $name } ({ $link })
 owner-group = група { $number }
 owner-drive = привід { $name }
 owner-load = навантаження { $name }

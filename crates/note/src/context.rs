@@ -1,7 +1,7 @@
 //! What every part of the note is made from.
 
 use assur_book::{Block, Document};
-use assur_figure::Figure;
+use assur_figure::{Figure, Frame, Item, Panel};
 pub(super) use assur_picture::paper::{on_paper, still};
 use assur_picture::{Found, Look, Results};
 use assur_report::topic::Source;
@@ -74,7 +74,8 @@ impl Context<'_> {
     }
 }
 
-/// A figure behind the sentence that names it by its number; `told`: the identity of the sentence. Nothing where it has no panels.
+/// A figure behind the sentence that names it by its number; `told`: the identity of the sentence. Nothing where it has no panels, or only
+/// curves that are zero.
 pub(super) fn show(
     page: &mut Document,
     told: &'static str,
@@ -91,11 +92,17 @@ pub(super) fn show_frames(
     (frames, size): (Vec<Figure>, [f64; 2]),
     caption: Text,
 ) {
-    if frames.first().is_some_and(|first| !first.panels.is_empty()) {
+    if frames.first().is_some_and(|first| !first.panels.iter().all(is_zero)) {
         let before = page.blocks.iter().filter(|block| matches!(block, Block::Figure { .. })).count();
         page.paragraph(Text::message(told, vec![("figure", number(before + 1))]));
         page.blocks.push(Block::Figure { frames, size, caption });
     }
+}
+
+/// Whether all curves of a panel are zero, and show nothing.
+pub(super) fn is_zero(panel: &Panel) -> bool {
+    let points = panel.items.iter().flat_map(Item::points);
+    matches!(panel.frame, Frame::Axes { .. }) && points.into_iter().all(|[_, y]| y == 0.0 || !y.is_finite())
 }
 
 /// A position, of which nothing else is chosen.

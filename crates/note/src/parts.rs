@@ -2,13 +2,12 @@
 
 use assur_analysis::results::{Column, Failure, Owner, Quantity};
 use assur_book::{Block, Document};
-use assur_figure::{Item, Panel};
 use assur_picture::{Look, Picture, ViewPart, assembly, curves, mechanism, motion, plans, regime};
 use assur_report::topic;
 use assur_scene::Chapter;
 use assur_words::{Text, list, name, number, text};
 
-use crate::context::{Context, look, on_paper, show, show_frames};
+use crate::context::{Context, is_zero, look, on_paper, show, show_frames};
 use crate::formula::Finds;
 use crate::{conclusions, forces, formula, symbols};
 
@@ -225,11 +224,6 @@ fn reduced_inertia(context: &Context<'_>, page: &mut Document) {
         let caption = context.with_legend(text!("note-reduced-inertia-drawn"));
         show(page, "note-see-inertia", (on_paper(figure), CURVE), caption);
     }
-}
-
-/// Whether all curves of a panel are zero, and show nothing.
-fn is_zero(panel: &Panel) -> bool {
-    panel.items.iter().flat_map(Item::points).all(|[_, y]| y == 0.0 || !y.is_finite())
 }
 
 fn checks(context: &Context<'_>, page: &mut Document) {

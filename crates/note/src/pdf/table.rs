@@ -23,7 +23,7 @@ pub(super) fn put(pages: &mut Pages, caption: &str, grid: &Grid) {
     let first: f64 = rows.iter().take(TOGETHER).map(|row| high(row)).sum();
     pages.need(LINE * SMALL * caption.len() as f64 + high(&head) + first + APART);
     caption.iter().for_each(|line| pages.line(line, SMALL, 0.0));
-    pages.y += 0.5 * APART;
+    pages.y += APART;
     row(pages, &head, (&widths, &right));
     for cells in &rows {
         let before = pages.done.len();
