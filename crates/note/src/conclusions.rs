@@ -26,11 +26,13 @@ pub(super) fn conclusions(context: &Context<'_>, page: &mut Document) {
             page.paragraph(Text::message(id, vec![("facts", own)]));
         }
     }
-    let weak: Vec<Text> = analysis.warnings.iter().map(Text::from).collect();
+    let motor = analysis.dynamics.iter().flat_map(|found| &found.motor).flat_map(|motor| &motor.warnings);
+    let weak = analysis.warnings.iter().map(Text::from).chain(motor.map(|warning| Text::from(&warning.text)));
+    let weak: Vec<Text> = weak.collect();
     if weak.is_empty() {
         page.paragraph(text!("note-concluded-nothing-weak"));
     } else {
-        page.paragraph(text!("note-concluded-weak", facts = joined(" ", weak)));
+        page.paragraph(text!("note-concluded-weak", facts = joined("; ", weak)));
     }
 }
 
