@@ -6,6 +6,7 @@ mod tests;
 use assur_words::{Text, number};
 
 use crate::number::{round_up, stepped};
+use crate::scale::{SCALES, Scale};
 
 /// How the numbers of an axis are spread, and where its ticks are.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -31,6 +32,8 @@ pub struct Axis {
     pub range: [f64; 2],
     /// How its numbers are spread.
     pub kind: AxisKind,
+    /// What its numbers measure, told with the scale of a drawing sheet.
+    pub scale: Option<Scale>,
 }
 
 /// A range this small compared with its ends is one value.
@@ -61,7 +64,19 @@ impl Axis {
         } else {
             [(low + high).min(0.0), (low + high).max(0.0)]
         };
-        Self { label, range, kind: AxisKind::Linear }
+        Self { label, range, kind: AxisKind::Linear, scale: None }
+    }
+
+    /// The axis of numbers in this unit.
+    #[must_use]
+    pub fn measuring(self, unit: &str) -> Self {
+        Self { scale: Scale::measuring(unit), ..self }
+    }
+
+    /// Units in a millimeter, a round number, where the axis is at most this long; `None` of an axis without equal steps of a unit.
+    pub(crate) fn units_in_mm(&self, length: f64) -> Option<f64> {
+        self.scale.as_ref().filter(|_| self.kind != AxisKind::Logarithmic)?;
+        Some(round_up((self.range[1] - self.range[0]) / length, &SCALES))
     }
 
     /// Place of a value on the axis: 0 at its lower end, 1 at its upper end.

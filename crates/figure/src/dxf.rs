@@ -12,8 +12,8 @@ mod write;
 use assur_words::{Language, Text, text};
 
 use crate::bounds::Bounds;
-use crate::model::{Figure, Frame, Item, Panel, Point};
-use crate::page::{EM, LINE, Names, Room, plain, plane};
+use crate::model::{Figure, Frame, Item, Panel, Point, Stroke};
+use crate::page::{self, EM, Element, Names, Room, Style, plain, plane};
 use crate::sign::{Form, shapes};
 use crate::svg::lowered;
 use crate::trace::Paper;
@@ -63,6 +63,36 @@ pub fn write(figures: &[Figure], language: &Language) -> Result<String, Text> {
     Ok(drawing.finish())
 }
 
+/// A page of elements, a unit is a millimeter of paper.
+pub fn page(elements: &[Element]) -> String {
+    let mut drawing = Drawing::default();
+    drawing.place(1.0, [0.0; 2]);
+    for element in elements {
+        let layer = Layer::Ink(element.ink);
+        match &element.form {
+            page::Form::Line { points, dashes, .. } => {
+                let finite = points.iter().filter(|at| at[0].is_finite() && at[1].is_finite());
+                let points: Vec<Point> = finite.copied().collect();
+                let stroke = match dashes {
+                    [] => Stroke::Solid,
+                    [_, _] if dashes[0] > 1.0 => Stroke::Dashed,
+                    [_, _] => Stroke::Dotted,
+                    _ => Stroke::Chain,
+                };
+                drawing.line(&points, layer, Some(stroke));
+            }
+            page::Form::Polygon { corners, .. } => drawing.outline(corners, layer),
+            page::Form::Circle { at, radius, .. } => drawing.circle(*at, *radius, layer),
+            page::Form::Text { seen: Some(false), .. } => {}
+            page::Form::Text { at, words, size, narrow, .. } => {
+                let left = element.bounds().map_or(at[0], |bounds| bounds[0]);
+                drawing.narrow_text([left, at[1]], *size, *narrow, &flat(words), layer);
+            }
+        }
+    }
+    drawing.finish()
+}
+
 /// A plane on its way to the drawing: on paper in mm, y downwards, then larger by a factor.
 struct Sheet<'a> {
     bounds: &'a Bounds,
@@ -104,7 +134,7 @@ impl<'a> Sheet<'a> {
             Paper { place: |at: Point| [at[0] / self.scale, -at[1] / self.scale], em: EM, gap: 0.1 * EM };
         let marks: Vec<Item> = panel.items.iter().flat_map(|item| paper.marks(item)).collect();
         let mut names =
-            Names::new(Room { left: -PAPER, top: -PAPER, width: 2.0 * PAPER, height: 2.0 * PAPER });
+            Names::new(Room { left: -PAPER, top: -PAPER, width: 2.0 * PAPER, height: 2.0 * PAPER }, EM);
         for mark in &marks {
             draw_lines(mark, &mut names, drawing);
         }
@@ -127,12 +157,17 @@ impl<'a> Sheet<'a> {
         let lines: Vec<&String> = lines.iter().filter(|line| !line.is_empty()).collect();
         for (row, line) in lines.iter().enumerate() {
             let [x, y] = paper([low[0], high[1]]);
-            drawing.text([x, y - LINE * (lines.len() - row) as f64], EM, &flat(line), Layer::Titles);
+            drawing.text(
+                [x, y - Style::NOTE.row() * (lines.len() - row) as f64],
+                EM,
+                &flat(line),
+                Layer::Titles,
+            );
         }
         for (row, own) in self.scales.iter().enumerate() {
             let [x, y] = paper(low);
             let (_, words) = plane::told(own, self.scale, language);
-            drawing.text([x, y + LINE * (row + 1) as f64], EM, &flat(&words), Layer::Titles);
+            drawing.text([x, y + Style::NOTE.row() * (row + 1) as f64], EM, &flat(&words), Layer::Titles);
         }
     }
 }

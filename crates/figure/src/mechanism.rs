@@ -60,7 +60,7 @@ pub struct Drawing<'a> {
     pub arcs: &'a [Arc],
     /// Links that are drawn as chosen.
     pub marked: &'a [LinkId],
-    /// Links that are not drawn, because they are not joined yet or have no place.
+    /// Links that are not drawn, because they are not joined yet, have no place, or are taken away; the ground may be one.
     pub hidden: &'a [LinkId],
 }
 
@@ -74,7 +74,9 @@ impl Drawing<'_> {
         links.sort_by_key(|link| self.marked.contains(link));
         let mut items = self.guides(bodies);
         items.extend(self.arcs(bodies));
-        items.extend(brakes(&self.linkage.mechanism));
+        if self.shows(GROUND) {
+            items.extend(brakes(&self.linkage.mechanism));
+        }
         let mut numbers = Vec::new();
         for link in links {
             let outline = self.outline(link, &bodies[link]);
@@ -176,7 +178,7 @@ impl Drawing<'_> {
 
     fn pins(&self, bodies: &[Body<f64>]) -> impl Iterator<Item = Item> {
         self.linkage.mechanism.points.iter().filter_map(|point| {
-            let ground = point.places.iter().find(|place| place.link == GROUND);
+            let ground = point.places.iter().find(|place| place.link == GROUND && self.shows(GROUND));
             let place = ground.or(point.places.iter().find(|place| self.shows(place.link)))?;
             let (sign, ink) = match (ground, point.is_pin()) {
                 (Some(_), true) => (Sign::Bearing, Ink::Ground),

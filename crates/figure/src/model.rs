@@ -153,6 +153,8 @@ pub enum Stroke {
     Solid,
     /// A thick line, for a link.
     Thick,
+    /// A fine line, for what stands behind.
+    Fine,
     /// Short dashes.
     Dashed,
     /// Dots.

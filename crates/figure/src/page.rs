@@ -1,4 +1,4 @@
-//! Figures on paper: elements at places in millimeters, y downwards, before they are written as SVG.
+//! Figures on paper: elements at places in millimeters, y downwards, before a writer gives them a form.
 
 mod axes;
 mod element;
@@ -6,30 +6,73 @@ mod legend;
 mod names;
 pub(crate) mod plane;
 
-pub(crate) use element::Element;
+pub use element::{Anchor, Element, Form, color};
 
 use assur_words::{Language, Text};
 
 use crate::model::{Figure, Frame, Ink, Item, Panel, Point, Sign, Stroke};
-use crate::sign::{Form, Shape, shapes};
-use element::{Outline, circle, polygon, polyline, text};
+use crate::sign::{self, Shape, shapes};
+use element::{circle, polygon, polyline};
 pub(crate) use names::Names;
+pub use names::text_width;
 
-/// Text size, mm.
+/// Text size of figures in a text, mm.
 pub const EM: f64 = 3.0;
 /// Free border of the page and of each panel, mm.
 const BORDER: f64 = 2.5;
-/// Height of a line of text, mm.
-pub(crate) const LINE: f64 = 1.5 * EM;
+/// Height of a line of text, in text sizes.
+const LINE: f64 = 1.5;
 
-/// Widths of lines, mm.
-mod width {
-    /// A link.
-    pub(super) const THICK: f64 = 0.7;
-    /// A curve, an arrow, an outline.
-    pub(super) const LINE: f64 = 0.35;
-    /// Hatching, dots, axes.
-    pub(super) const FINE: f64 = 0.18;
+/// How large letters and how wide lines are on paper.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Style {
+    /// Text size, mm.
+    pub em: f64,
+    /// Width of a link, mm.
+    pub thick: f64,
+    /// Width of a curve, an arrow, an outline, mm.
+    pub line: f64,
+    /// Width of hatching, dots, axes, mm.
+    pub fine: f64,
+    /// Whether the axes of curves have round scales, which are told.
+    pub axes_to_scale: bool,
+    /// Least width of a page that shrinks to its drawing, and least height of a row of planes, mm.
+    pub least: [f64; 2],
+}
+
+impl Style {
+    /// Of figures in a text.
+    pub const NOTE: Self =
+        Self { em: EM, thick: 0.7, line: 0.35, fine: 0.18, axes_to_scale: false, least: [100.0, 80.0] };
+    /// Of a drawing sheet: lines of ISO 128, and a text whose capitals and subscripts are 3.5 mm high.
+    pub const SHEET: Self =
+        Self { em: 5.0, thick: 0.8, line: 0.4, fine: 0.2, axes_to_scale: true, least: [30.0, 30.0] };
+
+    /// Height of a line of text, mm.
+    pub(crate) fn row(&self) -> f64 {
+        LINE * self.em
+    }
+}
+
+/// In which style and words a figure comes to paper.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Print<'a> {
+    pub(crate) style: Style,
+    pub(crate) language: &'a Language,
+}
+
+impl Print<'_> {
+    fn width(&self, text: &str) -> f64 {
+        names::text_width(text, self.style.em)
+    }
+
+    fn wrapped(&self, text: &str, width: f64) -> Vec<String> {
+        names::wrapped(text, width, self.style.em)
+    }
+
+    fn text(&self, at: Point, words: &str, ink: Ink, anchor: Anchor) -> Element {
+        Element::text(at, words, self.style.em, anchor, ink)
+    }
 }
 
 /// A rectangle of the page: left, top, width, height, mm.
@@ -57,53 +100,79 @@ impl From<[f64; 2]> for Page {
     }
 }
 
-/// Least width of a page that shrinks to its drawing, least height of a row of planes, and least width of a panel beside others, mm.
-const LEAST_PAGE: f64 = 100.0;
-const LEAST_ROW: f64 = 80.0;
+/// Least width of a panel beside others, mm.
 const SHARE: f64 = 65.0;
 
+/// Where everything of a figure is on its page.
+struct Arranged<'a> {
+    title: Vec<String>,
+    legend: legend::Rows<'a>,
+    /// Of the panels.
+    rooms: Vec<Room>,
+    /// Height of the panels, and the place of their lower end.
+    high: f64,
+    bottom: f64,
+    size: [f64; 2],
+}
+
+impl<'a> Arranged<'a> {
+    fn of(figure: &'a Figure, page: Page, print: &Print<'_>) -> Self {
+        let line = print.style.row();
+        let (Page::Of(size) | Page::Within(size)) = page;
+        let [width, height] = size.map(|side| side - 2.0 * BORDER);
+        let title = |width| print.wrapped(&plain(&figure.title, print.language), width);
+        let legend = legend::rows(figure, width, print);
+        let free = [width, height - line * (title(width).len() + legend.len()) as f64];
+        let (mut rooms, mut used) = (cells(figure, free, print), free);
+        if let Page::Within(_) = page {
+            let is_plane = |panel: &Panel| matches!(panel.frame, Frame::Plane { .. });
+            let high = height.max(print.style.least[1] * figure.rows() as f64);
+            let free = if figure.panels.iter().all(is_plane) { [width, high] } else { free };
+            (rooms, used) = shrunk(figure, free, print);
+        }
+        let aside = (legend::width(&legend, print).max(print.style.least[0]).min(width) - used[0]).max(0.0);
+        let title = title(used[0] + aside);
+        let above = BORDER + line * title.len() as f64;
+        for room in &mut rooms {
+            (room.left, room.top) = (room.left + BORDER + 0.5 * aside, room.top + above);
+        }
+        let bottom = above + used[1];
+        let needed = [used[0] + aside + 2.0 * BORDER, bottom + line * legend.len() as f64 + BORDER];
+        let needed = needed.map(|side| (100.0 * side).round() / 100.0);
+        let size = if let Page::Of(size) = page { size } else { needed };
+        Self { title, legend, rooms, high: used[1], bottom, size }
+    }
+}
+
+/// The width and height of the page of a figure, mm.
+pub fn size(figure: &Figure, page: Page, style: Style, language: &Language) -> [f64; 2] {
+    Arranged::of(figure, page, &Print { style, language }).size
+}
+
 /// The elements of a figure on a page, and the width and height of the page, mm.
-pub(crate) fn elements(figure: &Figure, page: Page, language: &Language) -> (Vec<Element>, [f64; 2]) {
-    let (Page::Of(size) | Page::Within(size)) = page;
-    let [width, height] = size.map(|side| side - 2.0 * BORDER);
-    let title = |width| names::wrapped(&plain(&figure.title, language), width);
-    let rows = legend::rows(figure, width, language);
-    let free = [width, height - LINE * (title(width).len() + rows.len()) as f64];
-    let (mut rooms, mut used) = (cells(figure, free), free);
-    if let Page::Within(_) = page {
-        let is_plane = |panel: &Panel| matches!(panel.frame, Frame::Plane { .. });
-        let high = height.max(LEAST_ROW * figure.rows() as f64);
-        let free = if figure.panels.iter().all(is_plane) { [width, high] } else { free };
-        (rooms, used) = shrunk(figure, free, language);
-    }
-    let aside = (legend::width(&rows).max(LEAST_PAGE).min(width) - used[0]).max(0.0);
-    let title = title(used[0] + aside);
-    let above = BORDER + LINE * title.len() as f64;
-    for room in &mut rooms {
-        (room.left, room.top) = (room.left + BORDER + 0.5 * aside, room.top + above);
-    }
-    let baseline = |row: usize| [BORDER, BORDER + EM + row as f64 * LINE];
-    let lines = title.iter().enumerate();
+pub fn elements(figure: &Figure, page: Page, style: Style, language: &Language) -> (Vec<Element>, [f64; 2]) {
+    let print = &Print { style, language };
+    let line = style.row();
+    let all = Arranged::of(figure, page, print);
+    let baseline = |row: usize| [BORDER, BORDER + style.em + row as f64 * line];
+    let lines = all.title.iter().enumerate();
     let mut elements: Vec<_> =
-        lines.map(|(row, line)| text(baseline(row), line, Ink::Title, "start")).collect();
-    let numbers = axes::numbers(figure, used[1], language);
-    for (index, (panel, room)) in figure.panels.iter().zip(rooms).enumerate() {
+        lines.map(|(row, line)| print.text(baseline(row), line, Ink::Title, Anchor::Start)).collect();
+    let numbers = axes::numbers(figure, all.high, print);
+    for (index, (panel, room)) in figure.panels.iter().zip(all.rooms).enumerate() {
         elements.extend(match panel.frame {
-            Frame::Plane { .. } => plane::elements(panel, room, language),
-            Frame::Axes { .. } => axes::elements(panel, figure.shows_axis(index), numbers, room, language),
+            Frame::Plane { .. } => plane::elements(panel, room, print),
+            Frame::Axes { .. } => axes::elements(panel, figure.shows_axis(index), numbers, room, print),
         });
     }
-    let bottom = above + used[1];
-    elements.extend(legend::elements(&rows, [BORDER, bottom + LINE]));
-    let needed = [used[0] + aside + 2.0 * BORDER, bottom + LINE * rows.len() as f64 + BORDER];
-    let needed = needed.map(|side| (100.0 * side).round() / 100.0);
-    (elements, if let Page::Of(size) = page { size } else { needed })
+    elements.extend(legend::elements(&all.legend, [BORDER, all.bottom + line], print));
+    (elements, all.size)
 }
 
 /// The rooms of the panels; rows of panels are equally high apart from the rows of their axes.
-fn cells(figure: &Figure, [width, height]: [f64; 2]) -> Vec<Room> {
+fn cells(figure: &Figure, [width, height]: [f64; 2], print: &Print<'_>) -> Vec<Room> {
     let columns = figure.columns.max(1);
-    let below = |row: usize| if figure.has_axis_below(row) { axes::BELOW } else { 0.0 };
+    let below = |row: usize| if figure.has_axis_below(row) { axes::BELOW * print.style.row() } else { 0.0 };
     let all: f64 = (0..figure.rows()).map(below).sum();
     let (width, height) = (width / columns as f64, (height - all) / figure.rows().max(1) as f64);
     let cell = |index: usize| {
@@ -116,16 +185,16 @@ fn cells(figure: &Figure, [width, height]: [f64; 2]) -> Vec<Room> {
 
 /// The rooms of the panels in a width, with the width and height of all: each plane has what its drawing needs, curves have the rest of
 /// their row.
-fn shrunk(figure: &Figure, [width, height]: [f64; 2], language: &Language) -> (Vec<Room>, [f64; 2]) {
+fn shrunk(figure: &Figure, [width, height]: [f64; 2], print: &Print<'_>) -> (Vec<Room>, [f64; 2]) {
     let is_plane = |panel: &Panel| matches!(panel.frame, Frame::Plane { .. });
     let columns = figure.columns.max(1);
-    let mut rooms = cells(figure, [width, height]);
+    let mut rooms = cells(figure, [width, height], print);
     let mut used = [0.0_f64; 2];
     for (row, panels) in rooms.chunks_mut(columns).zip(figure.panels.chunks(columns)) {
         let share = SHARE.min(width / panels.len() as f64);
         let mut rest = width - share * panels.len() as f64;
         for (room, panel) in row.iter_mut().zip(panels).filter(|(_, panel)| is_plane(panel)) {
-            *room = plane::shrunk(panel, Room { width: share + rest, ..*room }, language);
+            *room = plane::shrunk(panel, Room { width: share + rest, ..*room }, print);
             rest += share - room.width;
         }
         let curves = panels.iter().filter(|panel| !is_plane(panel)).count();
@@ -148,30 +217,31 @@ pub(crate) fn plain(title: &Text, language: &Language) -> String {
 
 const HEADING: usize = 2;
 
-fn heading(panel: &Panel, room: Room, language: &Language) -> Vec<Element> {
-    let title = plain(&panel.heading(), language);
-    let mut lines = names::wrapped(&title, room.width);
+fn heading(panel: &Panel, room: Room, print: &Print<'_>) -> Vec<Element> {
+    let (title, em) = (plain(&panel.heading(), print.language), print.style.em);
+    let mut lines = print.wrapped(&title, room.width);
     if lines.len() > HEADING {
-        lines = vec![names::fitted(&title, room.width)];
+        lines = vec![names::fitted(&title, room.width, em)];
     }
-    let place = |row: usize| [room.left, room.top + EM + row as f64 * LINE];
-    lines.iter().enumerate().map(|(row, line)| text(place(row), line, Ink::Title, "start")).collect()
+    let place = |row: usize| [room.left, room.top + em + row as f64 * print.style.row()];
+    let written = |(row, line): (usize, &String)| print.text(place(row), line, Ink::Title, Anchor::Start);
+    lines.iter().enumerate().map(written).collect()
 }
 
 /// The elements of marks: lines first, then signs, then names where they cover least.
-fn drawn(marks: &[Item], room: Room, language: &Language) -> Vec<Element> {
+fn drawn(marks: &[Item], room: Room, print: &Print<'_>) -> Vec<Element> {
+    let style = &print.style;
     let mut elements = Vec::new();
-    let mut names = Names::new(room);
+    let mut names = Names::new(room, style.em);
     for mark in marks {
         match mark {
             Item::Line { points, stroke, ink } => {
                 names.avoid(points);
-                elements.extend(stroked(points, *stroke, *ink));
+                elements.extend(stroked(points, *stroke, *ink, style));
             }
             Item::Area { outline, ink } => {
                 names.avoid(&[outline, &outline[..1.min(outline.len())]].concat());
-                elements
-                    .push(polygon(outline, Outline { ink: *ink, width: width::THICK, filled: Some(0.15) }));
+                elements.push(polygon(outline, style.thick, Some(0.15), *ink));
             }
             _ => {}
         }
@@ -179,16 +249,18 @@ fn drawn(marks: &[Item], room: Room, language: &Language) -> Vec<Element> {
     for mark in marks {
         if let Item::Sign { at, along, sign, ink } = mark {
             names.keep_sign(*at, *along, *sign);
-            elements.extend(sign_elements(*at, *along, *sign, *ink));
+            elements.extend(sign_elements(*at, *along, *sign, *ink, style));
         }
     }
     for mark in marks {
         if let Item::Name { at, text: name, ink, needed } = mark {
-            let name = name.render(language);
-            let (at, seen) = names.place(*at, &name, *needed);
-            let mut element = text(at, &name, *ink, "start");
+            let name = name.render(print.language);
+            let (at, is_seen) = names.place(*at, &name, *needed);
+            let mut element = print.text(at, &name, *ink, Anchor::Start);
             // A name that is not seen stays, so that all frames of an animation have the same elements.
-            element.attributes.push(("visibility", if seen { "visible" } else { "hidden" }.to_owned()));
+            if let Form::Text { seen, .. } = &mut element.form {
+                *seen = Some(is_seen);
+            }
             elements.push(element);
         }
     }
@@ -196,23 +268,22 @@ fn drawn(marks: &[Item], room: Room, language: &Language) -> Vec<Element> {
 }
 
 /// The elements of a line; it is interrupted where a point is not finite.
-fn stroked(points: &[Point], stroke: Stroke, ink: Ink) -> Vec<Element> {
+fn stroked(points: &[Point], stroke: Stroke, ink: Ink, style: &Style) -> Vec<Element> {
     let pieces = points.split(|at| !(at[0].is_finite() && at[1].is_finite()));
     let drawn = |piece: &[Point]| match piece {
         // A point without neighbors is no line, but a value.
-        [alone] => circle(*alone, width::THICK, Outline { ink, width: width::FINE, filled: Some(1.0) }),
-        line => polyline(line, stroke, ink),
+        [alone] => circle(*alone, style.thick, style.fine, Some(1.0), ink),
+        line => polyline(line, stroke, ink, style),
     };
     pieces.filter(|piece| !piece.is_empty()).map(drawn).collect()
 }
 
-fn sign_elements(at: Point, along: Point, sign: Sign, ink: Ink) -> Vec<Element> {
-    let outline = |filled| Outline { ink, width: width::LINE, filled };
+fn sign_elements(at: Point, along: Point, sign: Sign, ink: Ink, style: &Style) -> Vec<Element> {
     let element = |shape: Shape| match shape.form {
-        Form::Circle { at, radius } => circle(at, radius, outline(Some(shape.filled))),
-        Form::Polygon(corners) => polygon(&corners, outline(Some(shape.filled))),
-        Form::Line(ends) => polyline(&ends, Stroke::Solid, ink),
-        Form::Fine(ends) => element::fine(&ends, ink),
+        sign::Form::Circle { at, radius } => circle(at, radius, style.line, Some(shape.filled), ink),
+        sign::Form::Polygon(corners) => polygon(&corners, style.line, Some(shape.filled), ink),
+        sign::Form::Line(ends) => polyline(&ends, Stroke::Solid, ink, style),
+        sign::Form::Fine(ends) => Element::line(ends, style.fine, ink),
     };
-    shapes(at, along, sign, EM).into_iter().map(element).collect()
+    shapes(at, along, sign, style.em).into_iter().map(element).collect()
 }

@@ -1,6 +1,6 @@
 //! What lengths of a plane stand for.
 
-use assur_words::{Text, quantity};
+use assur_words::{Text, joined, name, quantity};
 
 use crate::bounds::Bounds;
 use crate::model::{Frame, Panel};
@@ -27,9 +27,40 @@ impl Scale {
         Self { symbol, unit: unit.to_owned(), size: 1.0 }
     }
 
+    /// Of numbers in a unit of an axis, by the symbol that drawings of mechanisms have for it; `None` of a unit that has none.
+    pub fn measuring(unit: &str) -> Option<Self> {
+        let (symbol, unit, size) = match unit {
+            "mm" => ("s", "m", 1e-3),
+            "mm/rad" => ("s'", "m/rad", 1e-3),
+            "mm/rad2" => ("s''", "m/rad2", 1e-3),
+            "mm/s" => ("v", "m/s", 1e-3),
+            "m/s" => ("v", unit, 1.0),
+            "m/s2" => ("a", unit, 1.0),
+            "deg" | "rad" => ("φ", unit, 1.0),
+            "rad/s" => ("ω", unit, 1.0),
+            "rad/s2" => ("ε", unit, 1.0),
+            "s" => ("t", unit, 1.0),
+            "N" => ("F", unit, 1.0),
+            "N m" => ("M", unit, 1.0),
+            "kg m2" => ("J", unit, 1.0),
+            "J" => ("A", unit, 1.0),
+            _ => return None,
+        };
+        Some(Self { size, ..Self::of(symbol, unit) })
+    }
+
     /// Of vectors in a plane of lengths, of which a meter is the next round number that is at least `least`.
     pub fn vectors(symbol: &'static str, unit: &str, least: f64) -> Self {
         Self { size: round_up(least, &SCALES), ..Self::of(symbol, unit) }
+    }
+
+    /// `μ_{v} = 0.05 m/s/mm` where a millimeter is so many units of the plane; nothing without a symbol.
+    pub(crate) fn factor(&self, units: f64) -> Option<Text> {
+        let symbol = (!self.symbol.is_empty()).then(|| name(format!("μ_{{{}}}", self.symbol)))?;
+        // A unit that is a ratio itself stands in parentheses.
+        let unit =
+            if self.unit.contains('/') { format!("({})/mm", self.unit) } else { format!("{}/mm", self.unit) };
+        Some(joined(" = ", [symbol, quantity(plain(self.size * units), unit)]))
     }
 
     /// The longest bar of a round number of units, lengths in mm, that is not longer than this: its length in units of the plane, and how

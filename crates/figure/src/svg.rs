@@ -4,9 +4,13 @@ use std::fmt::Write;
 
 use assur_words::Language;
 
-use crate::model::Figure;
+use crate::model::{Figure, Point};
 pub use crate::page::EM;
-use crate::page::{Element, Page, elements};
+use crate::page::{Anchor, Element, Form, Page, Style, color, elements};
+
+/// Letters of the Latin, Greek and Cyrillic alphabets and the signs of formulas, from DejaVu Sans: for who paints a figure or gives it along
+/// with its letters.
+pub static FONT: &[u8] = include_bytes!("../font/DejaVuSans-subset.ttf");
 
 /// Fonts of the texts, the first that is there; their letters have nearly one width.
 const FONTS: &str = "DejaVu Sans, Verdana, Arial, sans-serif";
@@ -30,7 +34,7 @@ pub fn sheet(figures: &[Figure], columns: usize, page: Page, language: &Language
         }
         within @ Page::Within(_) => within,
     };
-    let drawn: Vec<_> = figures.iter().map(|figure| elements(figure, cell, language)).collect();
+    let drawn: Vec<_> = figures.iter().map(|figure| elements(figure, cell, Style::NOTE, language)).collect();
     let side = |axis: usize| drawn.iter().map(|(_, size)| size[axis]).fold(0.0, f64::max);
     let [width, height] = [side(0), side(1)];
     let placed = |(index, (elements, _)): (usize, &(Vec<Element>, [f64; 2]))| {
@@ -54,10 +58,10 @@ pub fn animate(
     language: &Language,
 ) -> (String, [f64; 2]) {
     let page = page.into();
-    let drawn = frames.iter().map(|frame| elements(frame, page, language));
+    let drawn = frames.iter().map(|frame| elements(frame, page, Style::NOTE, language));
     let (mut all, sizes): (Vec<Vec<Element>>, Vec<[f64; 2]>) = drawn.unzip();
     let (Some(first), Some(size)) = (all.first().cloned(), sizes.first()) else { return Default::default() };
-    let names = |frame: &[Element]| frame.iter().map(|element| element.name).collect::<Vec<_>>();
+    let names = |frame: &[Element]| frame.iter().map(name).collect::<Vec<_>>();
     all.retain(|frame| names(frame) == names(&first));
     // The last frame leads back to the first one.
     all.push(first.clone());
@@ -70,9 +74,9 @@ pub fn animate(
 
 fn motion(frames: &[&Element], seconds: f64) -> String {
     let mut text = String::new();
-    for (at, (name, first)) in frames[0].attributes.iter().enumerate() {
-        let values: Vec<&str> =
-            frames.iter().filter_map(|frame| Some(frame.attributes.get(at)?.1.as_str())).collect();
+    let frames: Vec<_> = frames.iter().map(|frame| attributes(frame)).collect();
+    for (at, (name, first)) in frames[0].iter().enumerate() {
+        let values: Vec<&str> = frames.iter().filter_map(|frame| Some(frame.get(at)?.1.as_str())).collect();
         if values.iter().any(|value| value != first) {
             let _ = write!(
                 text,
@@ -100,19 +104,106 @@ fn document(title: &str, [width, height]: [f64; 2], parts: impl Iterator<Item = 
     text
 }
 
+/// A page of elements as a document, mm.
+pub fn page(title: &str, size: [f64; 2], elements: &[Element]) -> String {
+    document(title, size, elements.iter().map(|element| markup(element, "")))
+}
+
+fn name(element: &Element) -> &'static str {
+    match element.form {
+        Form::Line { .. } => "polyline",
+        Form::Polygon { .. } => "polygon",
+        Form::Circle { .. } => "circle",
+        Form::Text { .. } => "text",
+    }
+}
+
+fn attributes(element: &Element) -> Vec<(&'static str, String)> {
+    let color = color(element.ink).to_owned();
+    let mut all = Vec::new();
+    match &element.form {
+        Form::Line { points: line, dashes, opacity } => {
+            all.extend([("points", points(line)), ("fill", "none".to_owned()), ("stroke", color)]);
+            all.push(("stroke-width", mm(element.width)));
+            let dashes: Vec<String> = dashes.iter().map(|length| mm(*length)).collect();
+            all.extend((!dashes.is_empty()).then(|| ("stroke-dasharray", dashes.join(" "))));
+            all.extend(opacity.map(|part| ("stroke-opacity", mm(part))));
+        }
+        Form::Polygon { corners, filled } => {
+            all.push(("points", points(corners)));
+            all.extend(outlined(element, *filled));
+        }
+        Form::Circle { at, radius, filled } => {
+            all.extend([("cx", mm(at[0])), ("cy", mm(at[1])), ("r", mm(*radius))]);
+            all.extend(outlined(element, *filled));
+        }
+        Form::Text { at, size, anchor, narrow, seen, .. } => {
+            let anchor = match anchor {
+                Anchor::Start => "start",
+                Anchor::Middle => "middle",
+                Anchor::End => "end",
+            };
+            // Narrow letters are so about their own place.
+            let [x, y] = at.map(mm);
+            if *narrow < 1.0 {
+                all.push(("transform", format!("translate({x} {y}) scale({} 1)", mm(*narrow))));
+            } else {
+                all.extend([("x", x), ("y", y)]);
+            }
+            all.extend([("font-size", mm(*size)), ("fill", color)]);
+            all.push(("text-anchor", anchor.to_owned()));
+            let told = |seen| if seen { "visible" } else { "hidden" };
+            all.extend(seen.map(|seen| ("visibility", told(seen).to_owned())));
+        }
+    }
+    all
+}
+
+fn outlined(element: &Element, filled: Option<f64>) -> Vec<(&'static str, String)> {
+    let color = color(element.ink).to_owned();
+    let fill = match filled {
+        None => "none".to_owned(),
+        Some(0.0) => "#ffffff".to_owned(),
+        Some(_) => color.clone(),
+    };
+    let mut all = vec![("stroke", color), ("stroke-width", mm(element.width)), ("fill", fill)];
+    all.extend(filled.filter(|part| *part > 0.0 && *part < 1.0).map(|part| ("fill-opacity", mm(part))));
+    all
+}
+
+/// A number of millimeters with two decimals: finer than any printer.
+fn mm(value: f64) -> String {
+    let text = format!("{value:.2}");
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    if text == "-0" { "0".to_owned() } else { text.to_owned() }
+}
+
+fn points(all: &[Point]) -> String {
+    let mut list = String::new();
+    for at in all.iter().filter(|at| at[0].is_finite() && at[1].is_finite()) {
+        let space = if list.is_empty() { "" } else { " " };
+        let _ = write!(list, "{space}{},{}", mm(at[0]), mm(at[1]));
+    }
+    list
+}
+
 fn markup(element: &Element, inner: &str) -> String {
-    let mut text = format!("<{}", element.name);
-    for (name, value) in &element.attributes {
+    let name = name(element);
+    let mut text = format!("<{name}");
+    for (name, value) in attributes(element) {
         let _ = write!(text, " {name}=\"{value}\"");
     }
-    if element.text.is_empty() && inner.is_empty() {
+    let letters = if let Form::Text { words, .. } = &element.form { words } else { "" };
+    if letters.is_empty() && inner.is_empty() {
         return text + "/>";
     }
-    format!("{text}>{}{inner}</{}>", words(&element.text), element.name)
+    format!("{text}>{}{inner}</{name}>", words(letters))
 }
 
 /// Height of a subscript below its line, mm.
-const BELOW: f64 = 0.8;
+pub const BELOW: f64 = 0.8;
+/// Size of a subscript as part of the text size.
+pub const LOW: f64 = 0.7;
 
 fn words(text: &str) -> String {
     let mut markup = String::new();
@@ -123,7 +214,12 @@ fn words(text: &str) -> String {
             _ => write!(markup, "<tspan dy=\"-{BELOW}\">{part}</tspan>"),
         };
         if !low.is_empty() {
-            let _ = write!(markup, "<tspan dy=\"{BELOW}\" font-size=\"70%\">{}</tspan>", escaped(low));
+            let _ = write!(
+                markup,
+                "<tspan dy=\"{BELOW}\" font-size=\"{:.0}%\">{}</tspan>",
+                100.0 * LOW,
+                escaped(low)
+            );
         }
     }
     markup

@@ -1,10 +1,14 @@
 //! What every part of the note is made from.
 
-use assur_book::Document;
-use assur_figure::{Figure, Frame, Panel};
+use assur_book::{Block, Document};
+use assur_figure::{Figure, Frame, Item, Panel};
+pub(super) use assur_picture::paper::{on_paper, still};
 use assur_picture::{Found, Look, Results};
 use assur_report::topic::Source;
-use assur_words::{Text, joined, list, text};
+use assur_scene::Note;
+use assur_words::{Language, Text, joined, number, text};
+
+use crate::formula::Formulas;
 
 /// A scene whose analysis is done, and what is told of it.
 pub(super) struct Context<'a> {
@@ -12,6 +16,12 @@ pub(super) struct Context<'a> {
     pub(super) found: &'a Found,
     /// Numbers of the positions that are drawn and worked out, at least one.
     pub(super) positions: &'a [usize],
+    /// The language in which columns may be named.
+    pub(super) language: &'a Language,
+    /// What the scene says of the note.
+    pub(super) note: &'a Note,
+    /// Where its formulas are, for the tables that refer to them.
+    pub(super) formulas: Formulas,
 }
 
 pub(super) type Topic = fn(&Source<'_>, &mut Document);
@@ -64,23 +74,38 @@ impl Context<'_> {
     }
 }
 
+/// A figure behind the sentence that names it by its number; `told`: the identity of the sentence. Nothing where it has no panels, or only
+/// curves that are zero.
+pub(super) fn show(
+    page: &mut Document,
+    told: &'static str,
+    (figure, size): (Figure, [f64; 2]),
+    caption: Text,
+) {
+    show_frames(page, told, (vec![figure], size), caption);
+}
+
+/// The same of a figure that moves on a screen.
+pub(super) fn show_frames(
+    page: &mut Document,
+    told: &'static str,
+    (frames, size): (Vec<Figure>, [f64; 2]),
+    caption: Text,
+) {
+    if frames.first().is_some_and(|first| !first.panels.iter().all(is_zero)) {
+        let before = page.blocks.iter().filter(|block| matches!(block, Block::Figure { .. })).count();
+        page.paragraph(Text::message(told, vec![("figure", number(before + 1))]));
+        page.blocks.push(Block::Figure { frames, size, caption });
+    }
+}
+
+/// Whether all curves of a panel are zero, and show nothing.
+pub(super) fn is_zero(panel: &Panel) -> bool {
+    let points = panel.items.iter().flat_map(Item::points);
+    matches!(panel.frame, Frame::Axes { .. }) && points.into_iter().all(|[_, y]| y == 0.0 || !y.is_finite())
+}
+
 /// A position, of which nothing else is chosen.
 pub(super) fn look(position: usize) -> Look<'static> {
     Look { position, ..Look::default() }
-}
-
-/// A figure without its title (the caption says what it is) and without what belongs to a position on a screen: the cursor and
-/// the value at it.
-pub(super) fn on_paper(mut figure: Figure) -> Figure {
-    figure.panels.iter_mut().for_each(still);
-    Figure { title: Text::default(), ..figure }
-}
-
-/// Takes the cursor from a plot, and the value at it; the unit stays in its heading.
-pub(super) fn still(panel: &mut Panel) {
-    let Frame::Axes { cursor, y, .. } = &mut panel.frame else { return };
-    *cursor = None;
-    if !y.label.is_empty() {
-        panel.title = list([panel.title.clone(), y.label.clone()]);
-    }
 }

@@ -3,13 +3,17 @@
 //! [`write`](fn@write) makes a [`Document`] from the topics of the report and pictures of the results (`parts`), and writes it in a
 //! form (`html`, `markdown`, `typst`).
 
+mod conclusions;
 mod context;
+mod cover;
 mod forces;
 mod formula;
 mod html;
 mod markdown;
 mod parts;
+mod pdf;
 mod sheet;
+mod symbols;
 mod typst;
 pub mod working;
 
@@ -19,6 +23,8 @@ use assur_scene::Note;
 use assur_words::{Language, Text, name, text};
 
 use context::Context;
+use cover::Cover;
+use formula::Formulas;
 use sheet::NoteSheet;
 
 assur_words::resources!();
@@ -59,10 +65,15 @@ pub struct Written {
 ///
 /// # Errors
 ///
-/// In words: no analysis, or the first of these positions can't be worked out.
-pub fn document(results: &Results, positions: &[usize]) -> Result<Document, Text> {
+/// In words: no analysis, the first of these positions can't be worked out, or the results lack a column of `curves`.
+pub fn document(results: &Results, note: &Note, positions: &[usize]) -> Result<Document, Text> {
     let found = results.found.as_ref().ok_or_else(|| text!("note-no-results"))?;
-    parts::document(&Context { results, found, positions })
+    let language = language(note);
+    parts::document(&Context { results, found, positions, language, note, formulas: Formulas::default() })
+}
+
+fn language(note: &Note) -> &'static Language {
+    note.language.and_then(Language::find).unwrap_or(Language::english())
 }
 
 /// The note of a scene whose analysis is done, in a form; `folder` is where the files of figures are, seen from the note.
@@ -71,24 +82,8 @@ pub fn document(results: &Results, positions: &[usize]) -> Result<Document, Text
 ///
 /// In words: as [`document`], or there are more positions than a note can show.
 pub fn write(results: &Results, note: &Note, form: Form, folder: &str) -> Result<Written, Text> {
-    let language = Language::find(note.language).unwrap_or(Language::english());
-    let mechanism = &results.linkage.mechanism;
-    let (count, parts) = (results.positions(), mechanism.parts());
-    if count * parts > MOST_PARTS {
-        let [most, parts, count] = [MOST_PARTS / parts, parts, count].map(|number| name(number.to_string()));
-        return Err(text!("note-too-many", most, parts, count));
-    }
-    let exists = |position: &usize| *position < count && !results.broken.contains_key(position);
-    // Two positions in different parts of the cycle, unless the scene chooses.
-    let chosen =
-        if note.positions.is_empty() { vec![count / 8, 5 * count / 8] } else { note.positions.clone() };
-    let mut positions: Vec<usize> = chosen.into_iter().filter(exists).collect();
-    if positions.is_empty() {
-        positions.push(results.first_position());
-    }
-    positions.dedup();
-    let Document { blocks, .. } = document(results, &positions)?;
-    let mut sheet = NoteSheet { title: &mechanism.title, author: sheet::author(note), blocks, language };
+    let language = language(note).with_digits(note.digits);
+    let mut sheet = sheet(results, note, &language)?;
     // Typst numbers headings, figures and tables itself.
     if form != Form::Typst {
         sheet.number();
@@ -98,4 +93,30 @@ pub fn write(results: &Results, note: &Note, form: Form, folder: &str) -> Result
         Form::Markdown => markdown::write(&sheet, folder),
         Form::Typst => Written { text: typst::write(&sheet), figures: Vec::new() },
     })
+}
+
+/// The note of a scene whose analysis is done, as PDF.
+///
+/// # Errors
+///
+/// In words: as [`write`](fn@write).
+pub fn pdf(results: &Results, note: &Note) -> Result<Vec<u8>, Text> {
+    let language = language(note).with_digits(note.digits);
+    let mut sheet = sheet(results, note, &language)?;
+    sheet.number();
+    pdf::write(&sheet).ok_or_else(|| text!("note-no-font"))
+}
+
+/// What all forms write.
+fn sheet<'a>(results: &Results, note: &Note, language: &'a Language) -> Result<NoteSheet<'a>, Text> {
+    let mechanism = &results.linkage.mechanism;
+    let (count, parts) = (results.positions(), mechanism.parts());
+    if count * parts > MOST_PARTS {
+        let [most, parts, count] = [MOST_PARTS / parts, parts, count].map(|number| name(number.to_string()));
+        return Err(text!("note-too-many", most, parts, count));
+    }
+    let positions = results.chosen(&note.positions);
+    let Document { blocks, .. } = document(results, note, &positions)?;
+    let cover = Cover::of(note, Text::from(&mechanism.title));
+    Ok(NoteSheet { cover, blocks, language, digits: note.digits })
 }

@@ -124,3 +124,5 @@ nothing-here = this scene has nothing for this view
 events-no-dead-angle = Dead angles: none; some moment of the input moves the mechanism everywhere.
 events-of-turn = Modes are told of a whole turn, of which the positions are a part.
 events-title = Events of the cycle: modes, friction, sides of guides
+assembly-input-link = Input link { $link }
+assembly-with-group = with group { $number }, { $kind }

@@ -16,6 +16,8 @@ pub(crate) struct Acting<'a> {
     results: &'a Results,
     pose: &'a Position,
     state: &'a LoadState,
+    /// What acts on these links alone; `None`: on all.
+    links: Option<&'a [LinkId]>,
     all: Vec<Arrow>,
 }
 
@@ -28,12 +30,30 @@ impl<'a> Acting<'a> {
         pose: &'a Position,
         state: &'a LoadState,
     ) -> Vec<Arrow> {
-        let mut own = Self { results, pose, state, all: Vec::new() };
+        let mut own = Self { results, pose, state, links: None, all: Vec::new() };
         own.loads(wanted);
         if wanted == Arrows::Reactions {
             own.reactions();
         }
         own.all
+    }
+
+    /// The loads on some links that are taken out of the mechanism, and what the bodies that stay do to them.
+    pub(crate) fn on(
+        results: &'a Results,
+        links: &'a [LinkId],
+        pose: &'a Position,
+        state: &'a LoadState,
+    ) -> Vec<Arrow> {
+        let mut own = Self { results, pose, state, links: Some(links), all: Vec::new() };
+        own.loads(Arrows::Loads);
+        own.reactions();
+        own.all
+    }
+
+    /// Whether what acts on a link is wanted.
+    fn concerns(&self, link: LinkId) -> bool {
+        self.links.is_none_or(|links| links.contains(&link))
     }
 
     fn push(
@@ -72,6 +92,9 @@ impl<'a> Acting<'a> {
         let contacts = mechanism.loads.iter().filter(|load| load.kind.contact().is_some()).count();
         let mut nth = 0;
         for (number, load) in list.iter().enumerate() {
+            if !self.concerns(load.link) {
+                continue;
+            }
             let (told, force) = (Text::from(load.cause.name(mechanism)), load.wrench.force());
             if let (Some([normal, friction]), Some(at)) = (load.parts(mechanism, bodies), load.at) {
                 nth += 1;
@@ -88,7 +111,8 @@ impl<'a> Acting<'a> {
                 self.act(at, force, load.couple(bodies), symbols, &told, Ink::Second);
             }
         }
-        if let Some([drive, _]) = found.drive_in(self.state).filter(|_| all_wanted) {
+        let drives = mechanism.input.placed().any(|link| self.concerns(link));
+        if let Some([drive, _]) = found.drive_in(self.state).filter(|_| all_wanted && drives) {
             let told = catalogue::kind(Column::of(Quantity::ReducedLoad, Owner::Input));
             self.on_input(None, drive, "d", &told);
         }
@@ -104,7 +128,7 @@ impl<'a> Acting<'a> {
         let Some(found) = calculation.reactions(self.state, pose) else { return };
         let schema = Schema::new(mechanism);
         let pairs: Vec<_> = found.reactions.iter().map(|force| (force.joint.id, force.on.id)).collect();
-        let shown = catalogue::shown(&pairs);
+        let shown = self.links.map_or_else(|| catalogue::shown(&pairs), |links| outer(&pairs, links));
         for force in found.reactions.iter().filter(|force| shown.contains(&(force.joint.id, force.on.id))) {
             let (pair, on) = (force.joint.id, force.on.id);
             let at = match pair {
@@ -118,7 +142,13 @@ impl<'a> Acting<'a> {
             let symbols = ["R", "M"].map(|letter| format!("{letter}_{{{}{link}}}", force.joint.name));
             self.act(at, force.force, force.moment.unwrap_or_default(), symbols, &told, Ink::First);
         }
-        if calculation.drive_in(self.state).is_none() {
+        let balanced = |link| self.concerns(link);
+        let acts = match mechanism.balance {
+            Some(Balance::Moment(link)) => balanced(link),
+            Some(Balance::Force { at, .. }) => balanced(at.link),
+            None => mechanism.input.placed().any(balanced),
+        };
+        if acts && calculation.drive_in(self.state).is_none() {
             let told = catalogue::kind(Column::BALANCING);
             if mechanism.input.sole().is_some() {
                 self.on_input(UnitBalance::of(mechanism), found.balancing, "b", &told);
@@ -177,4 +207,13 @@ impl<'a> Acting<'a> {
         let found = points.min_by_key(|point| point.on(GROUND).is_none());
         self.pose.bodies[link].point(found.and_then(|point| point.on(link)).unwrap_or_default())
     }
+}
+
+/// The pairs of some links with other bodies, each with the link on which its force is told.
+fn outer(pairs: &[(PairId, LinkId)], links: &[LinkId]) -> Vec<(PairId, LinkId)> {
+    let is_outer = |(pair, on): &&(PairId, LinkId)| {
+        let mut others = pairs.iter().filter(|(other, link)| other == pair && link != on).peekable();
+        links.contains(on) && (others.peek().is_none() || others.any(|(_, link)| !links.contains(link)))
+    };
+    pairs.iter().filter(is_outer).copied().collect()
 }

@@ -11,8 +11,8 @@ use assur_figure::{Bounds, Frame, Ink, Item, Key, Panel, Point, Sample, Scale, S
 use assur_force::LoadState;
 use assur_group::plane::{length, minus, plus, scaled};
 use assur_kinematics::Position;
-use assur_mechanism::GROUND;
-use assur_words::{Text, name, quantity, text};
+use assur_mechanism::{GROUND, LinkId};
+use assur_words::{Text, joined, name, quantity, text};
 
 use crate::acting::Acting;
 use crate::{Arrows, Look, Picture, Results, ViewPart, plots};
@@ -71,13 +71,25 @@ pub(crate) struct Shown {
 impl Shown {
     /// Where the mechanism is now; `None` where it can't be assembled.
     pub(crate) fn of(results: &Results, look: &Look<'_>) -> Option<Self> {
-        let (pose, mut own) = arrows(results, look, look.position, look.part)?;
+        let (pose, own) = arrows(results, look, look.position, look.part)?;
         let count = results.positions();
         let numbers = (0..count).step_by(count.div_ceil(LOOKED_AT).max(1)).filter(|_| !look.alone);
         let others =
             || numbers.filter_map(|number| arrows(results, look, number, 0.0)).flat_map(|(_, all)| all);
         let key = (look.arrows, look.alone, results.found.is_some());
         let known = Arc::clone(results.arrows.borrow_mut().entry(key).or_insert_with(|| others().collect()));
+        Some(Self::scaled(results, pose, own, &known))
+    }
+
+    /// Some links with what acts on them from outside of them, in a position; `None` where it can't be assembled.
+    pub(crate) fn on_links(results: &Results, position: usize, links: &[LinkId]) -> Option<Self> {
+        let (pose, state) = results.moving(position, 0.0)?;
+        let own = Acting::on(results, links, &pose, &state);
+        Some(Self::scaled(results, pose, own, &[]))
+    }
+
+    /// The vectors of a position, to the scales that these and the known ones need.
+    fn scaled(results: &Results, pose: Position, mut own: Vec<Arrow>, known: &[Arrow]) -> Self {
         let all = || known.iter().chain(&own);
         let most = |kind: usize| {
             let of_kind = all().filter(|arrow| arrow.kind as usize == kind);
@@ -103,7 +115,7 @@ impl Shown {
         let bounds = Bounds::around(all().map(|arrow| tip(&scales, arrow)));
         let names: HashSet<Text> = all().filter(is_seen).map(|arrow| arrow.name.clone()).collect();
         own.retain(|arrow| names.contains(&arrow.name));
-        Some(Self { pose, arrows: own, scales, bounds, size })
+        Self { pose, arrows: own, scales, bounds, size }
     }
 
     /// The vectors with their names.
@@ -214,7 +226,8 @@ fn rates(results: &Results, pose: &Position, state: &LoadState, kind: Kind) -> V
             let vector = plus(scaled(speed * speed, motion.pf2), scaled(acceleration, motion.pf1));
             (vector, (Stroke::Dashed, Ink::Acceleration))
         };
-        let name = name(format!("{}_{{{}}}", SYMBOLS[kind as usize], point.name));
+        let parts = [name(SYMBOLS[kind as usize]), name("_{"), Text::from(&point.name), name("}")];
+        let name = joined("", parts);
         Arrow { at: motion.pf0, kind, vector, name, told: Text::default(), style }
     };
     moving.map(arrow).collect()

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use assur_analysis::results::{Owner, Quantity};
+use assur_analysis::results::{Column, Owner, Quantity};
 use assur_book::{Unit, catalogue};
 use assur_figure::number::number;
 use assur_figure::{Figure, Frame, Ink, Item, Key, Panel, Point, Sample, Sign, Stroke};
@@ -68,6 +68,30 @@ fn panel(results: &Results, look: &Look<'_>, orders: [usize; 3], order: usize, i
         }
     }
     over_positions(base, [catalogue::kind(series.column), value], &curves, signs)
+}
+
+/// The place, the velocity and the acceleration of the last quantity over one axis, what the mechanism is for; without a motion its transfer
+/// functions.
+pub fn of_last(results: &Results, look: &Look<'_>) -> Figure {
+    let transfer = results.transfers.len().saturating_sub(1);
+    let Some(last) = results.transfers.get(transfer) else { return Figure::default() };
+    let look = &Look { transfer, ..*look };
+    let rates = [Quantity::Velocity, Quantity::Acceleration].map(|quantity| {
+        let found = results.found.as_deref()?;
+        found.series.iter().find(|series| series.column == Column::of(quantity, last.owner))
+    });
+    let [Some(velocity), Some(acceleration)] = rates else { return figure(results, look) };
+    let place = in_radians(&results.series[last.orders[0]]);
+    let all = [&place, velocity, acceleration].into_iter().zip([Ink::First, Ink::Second, Ink::Third]);
+    let panel = |(series, ink): (&Series, Ink)| {
+        over_positions(
+            results.base(look),
+            [catalogue::kind(series.column), Text::default()],
+            &[(series, Stroke::Solid, ink)],
+            Vec::new(),
+        )
+    };
+    Figure { title: last.name.clone(), panels: all.map(panel).collect(), columns: 1, legend: Vec::new() }
 }
 
 fn stroke_of(compared: &Compared) -> Stroke {

@@ -36,7 +36,7 @@ pub(crate) fn figure(results: &Results, look: &Look<'_>) -> Figure {
     }
     let base = results.base_of_cycle(look);
     let range = [-(last as f64) - MARGIN, MARGIN - 1.0];
-    let y = Axis { label: Text::default(), range, kind: AxisKind::Unmarked };
+    let y = Axis { label: Text::default(), range, kind: AxisKind::Unmarked, scale: None };
     // Modes are told of a whole turn, of which the positions may be a part.
     let ends = events.iter().flat_map(|event| event.ends.map(|end| factor * end)).chain(base.axis.range);
     let x = Axis { range: extent(ends).unwrap_or(base.axis.range), ..base.axis };

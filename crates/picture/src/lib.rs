@@ -1,7 +1,7 @@
 //! Pictures of results: each is a function from what was calculated, and from what of it is shown, to panels of a
 //! [`Figure`](assur_figure::Figure).
 //!
-//! * [`mechanism`]: the mechanism to scale, with paths and arrows, and its structure.
+//! * [`mechanism`], [`assembly`]: the mechanism to scale, with paths and arrows, its structure, many positions over each other.
 //! * [`curves`]: quantities over the positions.
 //! * [`plans`]: force polygons, plans of velocities and accelerations, constructions.
 //! * [`forces`]: reactions over the cycle, beside the friction of their pairs, and by [`causes`].
@@ -14,6 +14,7 @@
 
 mod acting;
 mod arrows;
+pub mod assembly;
 pub mod causes;
 mod compared;
 pub mod curves;
@@ -27,6 +28,7 @@ pub mod mechanism;
 pub mod motion;
 mod outline;
 mod over;
+pub mod paper;
 mod places;
 mod planner;
 pub mod plans;

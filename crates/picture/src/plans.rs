@@ -91,6 +91,17 @@ pub fn figure(results: &Results, look: &Look<'_>, part: ViewPart) -> Figure {
     }
 }
 
+/// Zhukovsky's lever of a position, from the first construction that has one.
+pub fn lever(results: &Results, look: &Look<'_>) -> Figure {
+    let Some(found) = &results.found else { return Figure::default() };
+    let plans = found.plans.at(look.position);
+    let last = plans.constructions.iter().enumerate().find_map(|(index, (_, drawn))| {
+        let last = drawn.steps.iter().rposition(|step| step.drawing == Drawing::Lever)?;
+        Some(plans.steps_of(index).start + last)
+    });
+    last.map_or_else(Figure::default, |step| figure(results, &Look { step, ..*look }, ViewPart::Construction))
+}
+
 /// What the labels of a plan stand for, with the sizes.
 fn keys(part: ViewPart, plan: &VectorPlan) -> Vec<Key> {
     let key = |(label, item): (String, &PlanVector)| {

@@ -36,7 +36,7 @@ pub(crate) fn coordinate_axis(linkage: &Linkage) -> Axis {
     let last = input.positions - usize::from(!input.is_cycle());
     let ends = [0.0, last as f64].map(|at| coordinate_at(linkage, at));
     let kind = if linkage.kind().is_angle() { AxisKind::Degrees } else { AxisKind::Linear };
-    Axis { kind, ..Axis::around(list([coordinate_name(linkage), unit(symbol)]), ends, 0.0) }
+    Axis { kind, ..Axis::around(list([coordinate_name(linkage), unit(symbol)]), ends, 0.0) }.measuring(symbol)
 }
 
 /// The curve of a quantity over the positions or samples, with the cursor at the present one, at which it has a value.
@@ -68,7 +68,8 @@ pub fn over_positions(
         (series.unit.factor * series.floor, unit(series.unit.name))
     });
     items.extend(signs);
-    let y = Axis::around(unit, values, floor);
+    let measured = curves.first().map_or("", |(series, ..)| series.unit.name);
+    let y = Axis::around(unit, values, floor).measuring(measured);
     let cursor = Some(Cursor { at, value });
     Panel { title, frame: Frame::Axes { x, y, cursor }, items }
 }
@@ -180,7 +181,7 @@ pub(crate) fn axes(bounds: &Bounds, names: [Text; 2]) -> Vec<Item> {
     for (axis, label) in names.into_iter().enumerate() {
         let place = |along: f64, across: f64| if axis == 0 { [along, across] } else { [across, along] };
         let range = [bounds.low[axis], bounds.high[axis]];
-        let own = Axis { label, range, kind: AxisKind::Linear };
+        let own = Axis { label, range, kind: AxisKind::Linear, scale: None };
         items.push(Item::line(range.map(|end| place(end, 0.0)), Stroke::Solid, Ink::Dim));
         for (at, text) in own.ticks(NUMBERS).into_iter().filter(|(at, _)| at.abs() > FLAT * size) {
             items.push(Item::line([-mark, mark].map(|across| place(at, across)), Stroke::Solid, Ink::Dim));

@@ -100,6 +100,20 @@ impl Results {
         self.assembled().next().unwrap_or(0)
     }
 
+    /// Those of these positions that can be assembled, for paper: without any two in different parts of the cycle; at least one.
+    pub fn chosen(&self, wanted: &[usize]) -> Vec<usize> {
+        let count = self.positions();
+        let usual = [count / 8, 5 * count / 8];
+        let wanted = if wanted.is_empty() { &usual[..] } else { wanted };
+        let exists = |position: &usize| *position < count && !self.broken.contains_key(position);
+        let mut chosen: Vec<usize> = wanted.iter().copied().filter(exists).collect();
+        if chosen.is_empty() {
+            chosen.push(self.first_position());
+        }
+        chosen.dedup();
+        chosen
+    }
+
     /// The least determinant of a group over the positions, and the position that has it.
     pub fn least_health(&self, group: usize) -> Option<(f64, usize)> {
         *self.least_health.get(group)?

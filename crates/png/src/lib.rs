@@ -6,10 +6,9 @@ use std::sync::Arc;
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::{Error, Options, Tree, fontdb};
 
+use assur_figure::svg::FONT;
 use assur_words::{Describe, Text, errors, name, number, text};
 
-/// Letters of the Latin, Greek and Cyrillic alphabets, and the signs of formulas.
-const FONT: &[u8] = include_bytes!("../font/DejaVuSans-subset.ttf");
 const FAMILY: &str = "DejaVu Sans";
 /// Pixels in a millimeter: 254 of an inch.
 pub const PIXELS: f64 = 10.0;

@@ -241,7 +241,6 @@ scene-pins = pins: { $pins }
 scene-point-is-no-pin = point `{ $point }` is not a pin: it belongs to one link only
 scene-the-note = the note
 scene-list-of-positions = a list of numbers of positions
-scene-many-positions-of-note = a note has at most { $most } positions
 scene-here-are = this one has { $count }
 scene-the-drive = the drive
 scene-large-efficiency = `efficiency` is greater than 0 and at most 1, got { $got }
@@ -526,3 +525,38 @@ scene-great-torque-ratio = `max_torque_ratio` = { $found } is a breakdown torque
 scene-table-ends = The table ends at { $last }, and the cycle at { $end }: { $held } is held up to there, then it jumps to { $first }. If that is meant, write `repeat = true`, else a row at { $end }.
 scene-unevenness-unused = `unevenness` has no effect: it determines a flywheel, and none is to be found. Write flywheel = "solve" under [drive], or leave it out.
 scene-counted-twice = { $point } stands at { $angle } in the frame of the input link, and `from` turns this frame by as much again: { $point } begins at { $twice }. Put { $point } on the x axis of its link, or leave `from` out.
+scene-a-text-by-language = a text or a table of languages
+scene-text-by-language = a text by languages
+scene-an-empty-table = an empty table
+scene-table-of-labels = a table of points with their labels
+scene-write-labels = such as [labels] with A = "A₁"
+scene-columns-of-a-diagram = columns of the results with commas between them
+scene-list-of-diagrams = a list of diagrams
+scene-list-of-chapters = a list of chapters
+scene-many-of-note = `{ $key }` of a note has at most { $most } entries
+scene-key-labels = What readers call the points.
+scene-key-labels-point = What readers call this point; files and keys have its name.
+scene-key-label = What readers call it, in one language or several; files and keys have its name.
+scene-key-language-en = The text in English.
+scene-key-language-uk = The text in Ukrainian.
+scene-key-language-ru = The text in Russian.
+scene-key-note-ministry = The ministry of the university, for the cover.
+scene-key-note-university = The university, for the cover.
+scene-key-note-department = The department, for the cover.
+scene-key-note-discipline = The discipline, for the cover.
+scene-key-note-supervisor = Who supervises the work.
+scene-key-note-city = The city, for the cover.
+scene-key-note-year = The year, for the cover.
+scene-key-note-task = The text of the task; an empty line divides its paragraphs.
+scene-key-note-curves = Further diagrams: columns by heading, CSV name or words; several with commas between them lie over each other.
+scene-key-note-chapters = The chapters that it has, of `results`, `task`, `structure`, `kinematics`, `forces`, `dynamics`, `energy`, `working`, `checks`, `model`, `sources`, `conclusions`; absent, all that the scene has.
+scene-key-note-digits = Significant digits of its numbers.
+scene-the-sheet = the sheet
+scene-list-of-fields = a list of fields
+scene-many-positions-of-sheet = `{ $key }` of a sheet has at most { $most } positions
+scene-key-sheet = Format, fields and title block of `assur sheet`.
+scene-key-sheet-format = Its format; absent, the smallest that holds the fields.
+scene-key-sheet-positions = The positions drawn over each other: how many over the cycle, or their numbers.
+scene-key-sheet-plans = Numbers of the positions of plans and polygons; absent, those of the note.
+scene-key-sheet-fields = Its fields in their order, of `mechanism`, `diagrams`, `velocities`, `accelerations`, `forces`, `lever`, `dynamics`, `results`; absent, those that the scene has.
+scene-key-sheet-number = The number of the drawing, for the title block.

@@ -247,7 +247,6 @@ scene-pins = шарниры: { $pins }
 scene-point-is-no-pin = точка `{ $point }` не шарнир: она принадлежит только одному звену
 scene-the-note = записка
 scene-list-of-positions = список номеров положений
-scene-many-positions-of-note = в записке не более { $most } положений
 scene-here-are = здесь { $count }
 scene-the-drive = привод
 scene-large-efficiency = `efficiency` больше 0 и не более 1; задано: { $got }
@@ -532,3 +531,38 @@ scene-great-torque-ratio = `max_torque_ratio` = { $found } - это критич
 scene-table-ends = Таблица кончается на { $last }, а цикл на { $end }: дотуда держится { $held }, потом скачок к { $first }. Если так и нужно, напишите `repeat = true`, иначе строку для { $end }.
 scene-unevenness-unused = `unevenness` ничего не меняет: по нему находят маховик, а его не ищут. Напишите flywheel = "solve" в [drive] или уберите его.
 scene-counted-twice = { $point } стоит под углом { $angle } в системе координат входного звена, а `from` поворачивает её ещё на столько же: { $point } начинает с { $twice }. Поставьте { $point } на ось x своего звена или уберите `from`.
+scene-a-text-by-language = текст или таблица языков
+scene-text-by-language = текст по языкам
+scene-an-empty-table = пустая таблица
+scene-table-of-labels = таблица точек с подписями
+scene-write-labels = например { "[labels]" } с { "A = \"A₁\"" }
+scene-columns-of-a-diagram = столбцы результатов через запятую
+scene-list-of-diagrams = список графиков
+scene-list-of-chapters = список разделов
+scene-many-of-note = `{ $key }` записки имеет не больше { $most } элементов
+scene-key-labels = Как читатели называют точки.
+scene-key-labels-point = Как читатели называют эту точку; в файлах и ключах — её имя.
+scene-key-label = Как это называют читатели, на одном языке или нескольких; в файлах и ключах — имя.
+scene-key-language-en = Текст на английском.
+scene-key-language-uk = Текст на украинском.
+scene-key-language-ru = Текст на русском.
+scene-key-note-ministry = Министерство, для титульного листа.
+scene-key-note-university = Университет, для титульного листа.
+scene-key-note-department = Кафедра, для титульного листа.
+scene-key-note-discipline = Дисциплина, для титульного листа.
+scene-key-note-supervisor = Руководитель работы.
+scene-key-note-city = Город, для титульного листа.
+scene-key-note-year = Год, для титульного листа.
+scene-key-note-task = Текст задания; пустая строка разделяет абзацы.
+scene-key-note-curves = Дополнительные графики: столбцы по заголовку, имени в { "CSV" } или словам; несколько через запятую — друг над другом.
+scene-key-note-chapters = Разделы, которые она имеет, из `results`, `task`, `structure`, `kinematics`, `forces`, `dynamics`, `energy`, `working`, `checks`, `model`, `sources`, `conclusions`; без ключа — все, что есть в сцене.
+scene-key-note-digits = Значащие цифры её чисел.
+scene-the-sheet = лист
+scene-list-of-fields = список полей
+scene-many-positions-of-sheet = `{ $key }` листа имеет не больше { $most } положений
+scene-key-sheet = Формат, поля и основная надпись `assur sheet`.
+scene-key-sheet-format = Формат листа; без него — наименьший, на котором помещаются поля.
+scene-key-sheet-positions = Положения, начерченные одно на другом: сколько их за цикл или их номера.
+scene-key-sheet-plans = Номера положений планов и многоугольников; без них — те, что в записке.
+scene-key-sheet-fields = Поля листа по порядку, из `mechanism`, `diagrams`, `velocities`, `accelerations`, `forces`, `lever`, `dynamics`, `results`; без ключа — те, что есть в сцене.
+scene-key-sheet-number = Обозначение чертежа для основной надписи.

@@ -248,7 +248,6 @@ scene-pins = шарніри: { $pins }
 scene-point-is-no-pin = точка `{ $point }` не шарнір: вона належить лише одній ланці
 scene-the-note = записка
 scene-list-of-positions = список номерів положень
-scene-many-positions-of-note = у записці щонайбільше { $most } положень
 scene-here-are = тут { $count }
 scene-the-drive = привод
 scene-large-efficiency = `efficiency` більший за 0 і щонайбільше 1; задано: { $got }
@@ -533,3 +532,38 @@ scene-great-torque-ratio = `max_torque_ratio` = { $found } - це критичн
 scene-table-ends = Таблиця закінчується на { $last }, а цикл на { $end }: доти тримається { $held }, потім стрибок до { $first }. Якщо так і треба, напишіть `repeat = true`, інакше рядок для { $end }.
 scene-unevenness-unused = `unevenness` нічого не змінює: з нього знаходять маховик, а його не шукають. Напишіть flywheel = "solve" у [drive] або приберіть його.
 scene-counted-twice = { $point } стоїть під кутом { $angle } у системі координат вхідної ланки, а `from` повертає її ще на стільки ж: { $point } починає з { $twice }. Поставте { $point } на вісь x своєї ланки або приберіть `from`.
+scene-a-text-by-language = текст або таблиця мов
+scene-text-by-language = текст за мовами
+scene-an-empty-table = порожня таблиця
+scene-table-of-labels = таблиця точок із підписами
+scene-write-labels = наприклад { "[labels]" } із { "A = \"A₁\"" }
+scene-columns-of-a-diagram = стовпці результатів через кому
+scene-list-of-diagrams = список графіків
+scene-list-of-chapters = список розділів
+scene-many-of-note = `{ $key }` записки має щонайбільше { $most } елементів
+scene-key-labels = Як читачі називають точки.
+scene-key-labels-point = Як читачі називають цю точку; у файлах і ключах — її ім'я.
+scene-key-label = Як це називають читачі, однією мовою чи кількома; у файлах і ключах — ім'я.
+scene-key-language-en = Текст англійською.
+scene-key-language-uk = Текст українською.
+scene-key-language-ru = Текст російською.
+scene-key-note-ministry = Міністерство, для титульної сторінки.
+scene-key-note-university = Університет, для титульної сторінки.
+scene-key-note-department = Кафедра, для титульної сторінки.
+scene-key-note-discipline = Дисципліна, для титульної сторінки.
+scene-key-note-supervisor = Керівник роботи.
+scene-key-note-city = Місто, для титульної сторінки.
+scene-key-note-year = Рік, для титульної сторінки.
+scene-key-note-task = Текст завдання; порожній рядок розділяє абзаци.
+scene-key-note-curves = Додаткові графіки: стовпці за заголовком, іменем у { "CSV" } чи словами; кілька через кому — один над одним.
+scene-key-note-chapters = Розділи, які вона має, з `results`, `task`, `structure`, `kinematics`, `forces`, `dynamics`, `energy`, `working`, `checks`, `model`, `sources`, `conclusions`; без ключа — усі, що є в сцені.
+scene-key-note-digits = Значущі цифри її чисел.
+scene-the-sheet = аркуш
+scene-list-of-fields = список полів
+scene-many-positions-of-sheet = `{ $key }` аркуша має щонайбільше { $most } положень
+scene-key-sheet = Формат, поля й основний напис `assur sheet`.
+scene-key-sheet-format = Формат аркуша; без нього — найменший, на якому вміщуються поля.
+scene-key-sheet-positions = Положення, накреслені одне на одному: скільки їх за цикл або їхні номери.
+scene-key-sheet-plans = Номери положень планів і багатокутників; без них — ті, що в записці.
+scene-key-sheet-fields = Поля аркуша за порядком, з `mechanism`, `diagrams`, `velocities`, `accelerations`, `forces`, `lever`, `dynamics`, `results`; без ключа — ті, що є в сцені.
+scene-key-sheet-number = Позначення креслення для основного напису.

@@ -56,6 +56,8 @@ pub(crate) enum Command {
     Shaking(super::study::ShakingArgs),
     /// Write the explanatory note: task, structure, plans, forces, dynamics, working, checks, with all figures
     Report(super::draw::ReportArgs),
+    /// Draw the sheet: the mechanism, diagrams, plans, polygons, dynamics and results in a frame with a title block
+    Sheet(super::sheet::SheetArgs),
     /// Draw a view of the terminal UI to a file: the mechanism, curves, forces, plans
     Draw(super::draw::DrawArgs),
     /// Calculate a scene over a grid of parameters, in parallel, one row for each point

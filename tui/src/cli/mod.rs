@@ -16,6 +16,7 @@ mod plans;
 mod program;
 mod scene;
 mod set;
+mod sheet;
 mod shell;
 mod study;
 mod style;
@@ -103,6 +104,7 @@ fn command(cli: Cli, configured: Configured, style: Style) -> Result<Status, Fau
         Some(Command::Shaking(args)) => study::shaking(&args, style),
         Some(Command::Structure(args)) => study::structure(&args, style),
         Some(Command::Report(args)) => draw::report(&args, cli.language.as_deref(), style),
+        Some(Command::Sheet(args)) => sheet::sheet(&args, cli.language.as_deref(), style),
         Some(Command::Draw(args)) => draw::draw(&args, style),
         Some(Command::Sweep(args)) => sweep::run(&args, style),
         Some(Command::Set(args)) => set::run(&args, style),

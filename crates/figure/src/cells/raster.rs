@@ -17,7 +17,7 @@ struct Cell {
 /// The distance of the dots of a stroke; 1 for a line.
 fn spacing(stroke: Stroke) -> usize {
     match stroke {
-        Stroke::Solid | Stroke::Thick => 1,
+        Stroke::Solid | Stroke::Thick | Stroke::Fine => 1,
         Stroke::Dashed => 2,
         Stroke::Dotted | Stroke::Stars => 3,
         Stroke::Chain => 6,

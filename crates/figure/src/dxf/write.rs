@@ -222,6 +222,14 @@ impl Drawing {
         self.group(1, ascii(text));
     }
 
+    /// As [`text`](Self::text), with letters of this width as part of that of the font.
+    pub(super) fn narrow_text(&mut self, at: Point, height: f64, narrow: f64, text: &str, layer: Layer) {
+        self.text(at, height, text, layer);
+        if narrow < 1.0 {
+            self.group(41, number(narrow));
+        }
+    }
+
     /// The file.
     pub(super) fn finish(self) -> String {
         let mut out = String::new();

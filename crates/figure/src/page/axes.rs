@@ -1,16 +1,15 @@
 //! A plot on paper, with its axes.
 
-use assur_words::{Language, Text};
+use assur_words::Text;
 
-use super::element::{Outline, fine, polygon, polyline};
-use super::names::text_width;
-use super::{BORDER, EM, Element, LINE, Room, drawn, heading, text, width};
+use super::element::{polygon, polyline};
+use super::{Anchor, BORDER, Element, Form, Print, Room, drawn, heading};
 use crate::axis::Axis;
 use crate::model::{Figure, Frame, Ink, Panel, Point, Stroke};
 use crate::trace::{Paper, stars};
 
-/// Height of the numbers and the name of the horizontal axis, mm.
-pub(super) const BELOW: f64 = 2.0 * LINE;
+/// Height of the numbers and the name of the horizontal axis, in lines of text.
+pub(super) const BELOW: f64 = 2.0;
 /// Free part of the vertical axis above and below the curves.
 const FREE: f64 = 0.06;
 /// Least distance of the numbers of an axis, mm: horizontal, vertical.
@@ -23,17 +22,25 @@ pub(super) fn elements(
     shows_axis: bool,
     numbers: f64,
     room: Room,
-    language: &Language,
+    print: &Print<'_>,
 ) -> Vec<Element> {
     let Frame::Axes { x, y, cursor } = &panel.frame else { return Vec::new() };
-    let below = if shows_axis { BELOW } else { 0.0 };
+    let below = if shows_axis { BELOW * print.style.row() } else { 0.0 };
     let vertical = widened(y);
-    let mut elements = heading(panel, room, language);
-    let above = LINE * elements.len().max(1) as f64;
+    let (em, fine_width) = (print.style.em, print.style.fine);
+    let mut elements = heading(panel, room, print);
+    let above = print.style.row() * elements.len().max(1) as f64;
     let free = room.height - above - below - BORDER;
+    let (left, top) = (room.left + numbers + 0.5 * em, room.top + above);
+    let width = room.width - numbers - 0.5 * em - 2.0 * BORDER;
+    let (width, vertical) = if print.style.axes_to_scale {
+        let factors = [x.units_in_mm(width), vertical.units_in_mm(free)];
+        elements.extend(factors_told(panel, factors, shows_axis, room, above, print));
+        to_scale(x, vertical, [width, free], factors)
+    } else {
+        (width, vertical)
+    };
     let ticks = upright_ticks(&vertical, free);
-    let (left, top) = (room.left + numbers + 0.5 * EM, room.top + above);
-    let width = room.width - numbers - 0.5 * EM - 2.0 * BORDER;
     let plot = Room { left, top, width, height: free };
     let place = |at: Point| {
         [plot.left + x.part(at[0]) * plot.width, plot.top + (1.0 - vertical.part(at[1])) * plot.height]
@@ -42,46 +49,45 @@ pub(super) fn elements(
     let upright = |at: f64| [place([at, low]), place([at, high])];
     for (at, number) in ticks {
         let ends = x.range.map(|end| place([end, at]));
-        elements.push(grid(&ends, at == 0.0));
-        let corner = [plot.left - 0.4 * EM, ends[0][1] + 0.35 * EM];
-        elements.push(text(corner, &number.render(language), Ink::Text, "end"));
+        elements.push(grid(&ends, at == 0.0, fine_width));
+        let corner = [plot.left - 0.4 * em, ends[0][1] + 0.35 * em];
+        elements.push(print.text(corner, &number.render(print.language), Ink::Text, Anchor::End));
     }
     for (at, number) in x.ticks(count(plot.width, APART[0])) {
         let ends = upright(at);
-        elements.push(grid(&ends, false));
+        elements.push(grid(&ends, false, fine_width));
         if shows_axis {
-            let corner = [ends[0][0], plot.top + plot.height + 1.2 * EM];
-            elements.push(text(corner, &number.render(language), Ink::Text, "middle"));
+            let corner = [ends[0][0], plot.top + plot.height + 1.2 * em];
+            elements.push(print.text(corner, &number.render(print.language), Ink::Text, Anchor::Middle));
         }
     }
-    let frame = Outline { ink: Ink::Text, width: width::FINE, filled: None };
     let [left, right] = x.range.map(upright);
-    elements.push(polygon(&[left[0], left[1], right[1], right[0]], frame));
+    elements.push(polygon(&[left[0], left[1], right[1], right[0]], fine_width, None, Ink::Text));
     if shows_axis {
-        let corner = [plot.left + 0.5 * plot.width, plot.top + plot.height + 2.6 * EM];
-        elements.push(text(corner, &x.label.render(language), Ink::Text, "middle"));
+        let corner = [plot.left + 0.5 * plot.width, plot.top + plot.height + 2.6 * em];
+        elements.push(print.text(corner, &x.label.render(print.language), Ink::Text, Anchor::Middle));
     }
     if let Some(at) = cursor.as_ref().map(|cursor| cursor.at).filter(|at| (0.0..=1.0).contains(&x.part(*at)))
     {
-        elements.push(polyline(&upright(at), Stroke::Dashed, Ink::Cursor));
+        elements.push(polyline(&upright(at), Stroke::Dashed, Ink::Cursor, &print.style));
     }
-    let paper = Paper { place, em: EM, gap: 0.0 };
+    let paper = Paper { place, em, gap: 0.0 };
     let stars = panel.items.iter().flat_map(stars);
     let marks: Vec<_> =
         panel.items.iter().cloned().chain(stars).flat_map(|item| paper.marks(&item)).collect();
-    elements.extend(drawn(&marks, plot, language));
+    elements.extend(drawn(&marks, plot, print));
     elements
 }
 
 /// Width of the widest number of the vertical axes of a figure: one for all, so that plots below each other are aligned.
-pub(super) fn numbers(figure: &Figure, height: f64, language: &Language) -> f64 {
+pub(super) fn numbers(figure: &Figure, height: f64, print: &Print<'_>) -> f64 {
     let height = height / figure.rows().max(1) as f64;
     let axes = figure.panels.iter().filter_map(|panel| match &panel.frame {
         Frame::Axes { y, .. } => Some(widened(y)),
         Frame::Plane { .. } => None,
     });
     let ticks = axes.flat_map(|axis| upright_ticks(&axis, height));
-    ticks.map(|(_, text)| text_width(&text.render(language))).fold(0.0, f64::max)
+    ticks.map(|(_, text)| print.width(&text.render(print.language))).fold(0.0, f64::max)
 }
 
 /// The ticks of a vertical axis of this height, mm; two at least, from which its scale is seen.
@@ -101,15 +107,43 @@ fn count(length: f64, apart: f64) -> usize {
     ((length / apart) as usize).max(LEAST_NUMBERS)
 }
 
+/// A plot whose scales are round: narrower, and with a longer range of the vertical axis, than fits.
+fn to_scale(x: &Axis, vertical: Axis, [width, height]: [f64; 2], factors: [Option<f64>; 2]) -> (f64, Axis) {
+    let width = factors[0].map_or(width, |factor| (x.range[1] - x.range[0]) / factor);
+    let Some(factor) = factors[1] else { return (width, vertical) };
+    let [low, high] = vertical.range;
+    let more = 0.5 * (factor * height - (high - low));
+    (width, Axis { range: [low - more, high + more], ..vertical })
+}
+
+/// The factors of the axes, at the right above the plot; that of the horizontal axis below it, where its numbers are.
+fn factors_told(
+    panel: &Panel,
+    factors: [Option<f64>; 2],
+    shows_axis: bool,
+    room: Room,
+    above: f64,
+    print: &Print<'_>,
+) -> Vec<Element> {
+    let Frame::Axes { x, y, .. } = &panel.frame else { return Vec::new() };
+    let baselines = [room.top + room.height - 0.4 * print.style.em, room.top + above - 0.5 * print.style.em];
+    let told = |((axis, factor), baseline): ((&Axis, Option<f64>), f64)| {
+        let told = axis.scale.as_ref()?.factor(factor?)?.render(print.language);
+        Some(print.text([room.left + room.width - BORDER, baseline], &told, Ink::Text, Anchor::End))
+    };
+    let axes = [x, y].into_iter().zip(factors).zip(baselines);
+    axes.skip(usize::from(!shows_axis)).filter_map(told).collect()
+}
+
 fn widened(axis: &Axis) -> Axis {
     let range = [axis.value(-FREE), axis.value(1.0 + FREE)];
     Axis { range, ..axis.clone() }
 }
 
-fn grid(ends: &[Point; 2], strong: bool) -> Element {
-    let mut line = fine(ends, if strong { Ink::Text } else { Ink::Dim });
-    if !strong {
-        line.attributes.push(("stroke-opacity", "0.35".to_owned()));
+fn grid(ends: &[Point; 2], strong: bool, width: f64) -> Element {
+    let mut line = Element::line(*ends, width, if strong { Ink::Text } else { Ink::Dim });
+    if let Form::Line { opacity, .. } = &mut line.form {
+        *opacity = (!strong).then_some(0.35);
     }
     line
 }

@@ -1,26 +1,23 @@
 //! The legend below a figure.
 
-use assur_words::Language;
-
-use super::names::text_width;
-use super::{EM, Element, LINE, sign_elements, stroked, text};
+use super::{Anchor, Element, Print, sign_elements, stroked};
 use crate::model::{Figure, Key, Point, Sample};
 
-/// Length of the sample of a stroke, mm.
-const SAMPLE: f64 = 2.5 * EM;
-/// Distance between two entries, mm.
-const APART: f64 = 1.5 * EM;
+/// Length of the sample of a stroke, in text sizes.
+const SAMPLE: f64 = 2.5;
+/// Distance between two entries, in text sizes.
+const APART: f64 = 1.5;
 
 /// Entries with their texts in rows.
 pub(super) type Rows<'a> = Vec<Vec<(&'a Key, String)>>;
 
 /// The entries, each with its text, in rows that fit into this width.
-pub(super) fn rows<'a>(figure: &'a Figure, width: f64, language: &Language) -> Rows<'a> {
+pub(super) fn rows<'a>(figure: &'a Figure, width: f64, print: &Print<'_>) -> Rows<'a> {
     let mut rows: Rows<'_> = Vec::new();
     let mut used = f64::INFINITY;
     for key in &figure.legend {
-        let text = key.text.render(language);
-        let wide = wide(&text);
+        let text = key.text.render(print.language);
+        let wide = wide(&text, print);
         if used + wide > width {
             rows.push(Vec::new());
             used = 0.0;
@@ -32,34 +29,35 @@ pub(super) fn rows<'a>(figure: &'a Figure, width: f64, language: &Language) -> R
 }
 
 /// Width of an entry with this text.
-fn wide(text: &str) -> f64 {
-    SAMPLE + text_width(text) + APART
+fn wide(text: &str, print: &Print<'_>) -> f64 {
+    (SAMPLE + APART) * print.style.em + print.width(text)
 }
 
 /// Width of the widest row.
-pub(super) fn width(rows: &Rows<'_>) -> f64 {
-    rows.iter().map(|row| row.iter().map(|(_, text)| wide(text)).sum()).fold(0.0, f64::max)
+pub(super) fn width(rows: &Rows<'_>, print: &Print<'_>) -> f64 {
+    rows.iter().map(|row| row.iter().map(|(_, text)| wide(text, print)).sum()).fold(0.0, f64::max)
 }
 
 /// The elements of the rows from a corner on.
-pub(super) fn elements(rows: &Rows<'_>, [left, top]: Point) -> Vec<Element> {
+pub(super) fn elements(rows: &Rows<'_>, [left, top]: Point, print: &Print<'_>) -> Vec<Element> {
+    let (style, em, line) = (&print.style, print.style.em, print.style.row());
     let mut elements = Vec::new();
     for (row, keys) in rows.iter().enumerate() {
-        let (mut x, y) = (left, top + row as f64 * LINE - 0.3 * LINE);
+        let (mut x, y) = (left, top + row as f64 * line - 0.3 * line);
         for (key, told) in keys {
-            let middle = y - 0.35 * EM;
+            let middle = y - 0.35 * em;
             let width = match key.sample {
                 Sample::Sign(sign, ink) => {
-                    elements.extend(sign_elements([x + 0.5 * EM, middle], [1.0, 0.0], sign, ink));
-                    EM
+                    elements.extend(sign_elements([x + 0.5 * em, middle], [1.0, 0.0], sign, ink, style));
+                    em
                 }
                 Sample::Line(stroke, ink) => {
-                    elements.extend(stroked(&[[x, middle], [x + SAMPLE, middle]], stroke, ink));
-                    SAMPLE
+                    elements.extend(stroked(&[[x, middle], [x + SAMPLE * em, middle]], stroke, ink, style));
+                    SAMPLE * em
                 }
             };
-            elements.push(text([x + width + 0.5 * EM, y], told, crate::Ink::Text, "start"));
-            x += width + text_width(told) + APART;
+            elements.push(print.text([x + width + 0.5 * em, y], told, crate::Ink::Text, Anchor::Start));
+            x += width + print.width(told) + APART * em;
         }
     }
     elements

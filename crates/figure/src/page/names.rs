@@ -1,6 +1,6 @@
 //! Names beside their points, where they cover least.
 
-use super::{EM, Room};
+use super::Room;
 use crate::bounds::inside;
 use crate::model::{Point, Sign};
 use crate::trace::shifted;
@@ -12,38 +12,38 @@ const NARROW: f64 = 0.36;
 const APART: f64 = 0.35;
 
 /// Width of a text, mm: within a tenth for the fonts that are asked for. The marks of subscripts are not seen.
-pub(super) fn text_width(text: &str) -> f64 {
+pub fn text_width(text: &str, em: f64) -> f64 {
     let of = |letter: char| match letter {
         'i' | 'j' | 'l' | 't' | 'f' | 'r' | 'I' | ' ' | '.' | ',' | ':' | ';' | '\'' | '|' | '(' | ')'
         | '/' => NARROW,
         'm' | 'w' | 'M' | 'W' | 'Ш' | 'Щ' | 'Ж' | 'Ю' => 1.5 * LETTER,
         _ => LETTER,
     };
-    text.chars().filter(|letter| !"_{}".contains(*letter)).map(of).sum::<f64>() * EM
+    text.chars().filter(|letter| !"_{}".contains(*letter)).map(of).sum::<f64>() * em
 }
 
 /// A text in lines of at most this width, divided between its words; none of an empty text.
-pub(super) fn wrapped(text: &str, width: f64) -> Vec<String> {
+pub(super) fn wrapped(text: &str, width: f64, em: f64) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for word in text.split(' ').filter(|_| !text.is_empty()) {
         match lines.last_mut() {
-            Some(line) if text_width(line) + text_width(word) + NARROW * EM <= width => {
+            Some(line) if text_width(line, em) + text_width(word, em) + NARROW * em <= width => {
                 line.push(' ');
                 line.push_str(word);
             }
             _ => lines.push(word.to_owned()),
         }
     }
-    lines.iter().map(|line| fitted(line, width)).collect()
+    lines.iter().map(|line| fitted(line, width, em)).collect()
 }
 
 /// The beginning of a text that fits into this width, with an ellipsis where the rest is missing.
-pub(super) fn fitted(text: &str, width: f64) -> String {
-    if text_width(text) <= width {
+pub(super) fn fitted(text: &str, width: f64, em: f64) -> String {
+    if text_width(text, em) <= width {
         return text.to_owned();
     }
     let beginnings = text.char_indices().map(|(end, _)| &text[..end]);
-    let kept = beginnings.take_while(|kept| kept.is_empty() || text_width(kept) + EM <= width).last();
+    let kept = beginnings.take_while(|kept| kept.is_empty() || text_width(kept, em) + em <= width).last();
     kept.unwrap_or_default().to_owned() + "…"
 }
 
@@ -60,10 +60,10 @@ const WRITTEN: usize = 1000;
 
 /// The places of a text of this width around a point at a distance: to the right and to the left above, below and beside it, above and
 /// below it in the middle, then between these.
-fn around([x, y]: Point, [width, away]: [f64; 2]) -> [[f64; 4]; 12] {
+fn around([x, y]: Point, [width, away]: [f64; 2], em: f64) -> [[f64; 4]; 12] {
     let (right, left) = (x + away, x - away - width);
-    let (above, below) = (y - away - 0.75 * EM, y + away);
-    let middle = [x - 0.5 * width, y - 0.4 * EM];
+    let (above, below) = (y - away - 0.75 * em, y + away);
+    let middle = [x - 0.5 * width, y - 0.4 * em];
     let corners = [
         [right, above],
         [left, above],
@@ -78,7 +78,7 @@ fn around([x, y]: Point, [width, away]: [f64; 2]) -> [[f64; 4]; 12] {
         [x, below],
         [x - width, below],
     ];
-    corners.map(|[left, top]| [left, top, left + width, top + 0.8 * EM])
+    corners.map(|[left, top]| [left, top, left + width, top + 0.8 * em])
 }
 
 /// Least distance of two names beside each other, in text sizes: closer, they read as one.
@@ -88,14 +88,16 @@ const BETWEEN: f64 = 0.3;
 #[derive(Debug)]
 pub(crate) struct Names {
     room: Room,
+    /// Text size, mm.
+    em: f64,
     lines: Vec<[Point; 2]>,
     /// Left, top, right, bottom of texts and signs.
     texts: Vec<[f64; 4]>,
 }
 
 impl Names {
-    pub(crate) fn new(room: Room) -> Self {
-        Self { room, lines: Vec::new(), texts: Vec::new() }
+    pub(crate) fn new(room: Room, em: f64) -> Self {
+        Self { room, em, lines: Vec::new(), texts: Vec::new() }
     }
 
     /// Remembers a line that names must not cover.
@@ -106,10 +108,10 @@ impl Names {
     /// Remembers a sign that names must not cover.
     pub(crate) fn keep_sign(&mut self, at: Point, along: Point, sign: Sign) {
         match sign {
-            Sign::Hatch => self.avoid(&[at, shifted(at, along, 0.4 * EM)]),
-            Sign::Block => self.keep(at, 0.5 * EM),
+            Sign::Hatch => self.avoid(&[at, shifted(at, along, 0.4 * self.em)]),
+            Sign::Block => self.keep(at, 0.5 * self.em),
             Sign::Bearing => self.keep_bearing(at),
-            _ => self.keep(at, 0.2 * EM),
+            _ => self.keep(at, 0.2 * self.em),
         }
     }
 
@@ -120,19 +122,19 @@ impl Names {
 
     /// Remembers a bearing below its point.
     fn keep_bearing(&mut self, [x, y]: Point) {
-        self.texts.push([x - 1.6 * EM, y - 0.3 * EM, x + 1.2 * EM, y + 1.5 * EM]);
+        self.texts.push([x - 1.6 * self.em, y - 0.3 * self.em, x + 1.2 * self.em, y + 1.5 * self.em]);
     }
 
     /// The place of a name beside a point, where its baseline begins, and whether it is seen: not where it is not needed
     /// and would cover something.
     pub(crate) fn place(&mut self, at: Point, name: &str, needed: bool) -> (Point, bool) {
-        let (width, away) = (text_width(name), APART * EM);
+        let (width, away) = (text_width(name, self.em), APART * self.em);
         let rings = if needed { RINGS } else { NEAR };
         let near = self.near(at, [width, rings as f64 * away]);
         // What it covers, what lies between it and its point, and the place.
         let mut best: Option<(usize, usize, [f64; 4])> = None;
         for ring in 1..=rings {
-            for spot in around(at, [width, ring as f64 * away]) {
+            for spot in around(at, [width, ring as f64 * away], self.em) {
                 let most = best.map_or(usize::MAX, |(least, cut, _)| least + cut);
                 let Some(covered) = near.covered(spot, most) else { continue };
                 let cut = if covered < WRITTEN { CUT * near.between(at, spot) } else { 0 };
@@ -157,7 +159,7 @@ impl Names {
 
     /// What a text of this width up to a distance from a point may cover, or may have between itself and the point.
     fn near(&self, [x, y]: Point, [width, away]: [f64; 2]) -> Self {
-        let (aside, above) = (width + away + EM, away + 2.0 * EM);
+        let (aside, above) = (width + away + self.em, away + 2.0 * self.em);
         let reach = [x - aside, y - above, x + aside, y + above];
         let meets = |[left, top, right, bottom]: [f64; 4]| {
             left <= reach[2] && reach[0] <= right && top <= reach[3] && reach[1] <= bottom
@@ -167,6 +169,7 @@ impl Names {
         };
         Self {
             room: self.room,
+            em: self.em,
             lines: self.lines.iter().copied().filter(|line| meets(box_of(*line))).collect(),
             texts: self.texts.iter().copied().filter(|text| meets(*text)).collect(),
         }
@@ -180,7 +183,7 @@ impl Names {
             let side = |of: Point, [from, to]: [Point; 2]| {
                 (to[0] - from[0]) * (of[1] - from[1]) - (to[1] - from[1]) * (of[0] - from[0])
             };
-            let own = APART * EM * (line[1][0] - line[0][0]).hypot(line[1][1] - line[0][1]);
+            let own = APART * self.em * (line[1][0] - line[0][0]).hypot(line[1][1] - line[0][1]);
             // A corner of a line counts for one of its two pieces.
             let parted = |two: [Point; 2], by| (side(two[0], by) < 0.0) != (side(two[1], by) < 0.0);
             side(at, **line).abs() > 0.1 * own && parted([at, to], **line) && parted(**line, [at, to])
@@ -196,8 +199,8 @@ impl Names {
             && top >= room.top
             && right <= room.left + room.width
             && bottom <= room.top + room.height;
-        let clear = CLEAR * EM;
-        let apart = BETWEEN * EM;
+        let clear = CLEAR * self.em;
+        let apart = BETWEEN * self.em;
         let meets = |other: &&[f64; 4]| {
             other[0] < right + apart
                 && left < other[2] + apart

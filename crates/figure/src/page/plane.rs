@@ -1,68 +1,70 @@
 //! A plane on paper, to a round scale.
 
-use assur_words::{Language, joined, name, quantity};
+use assur_words::{Language, joined};
 
 use super::element::polyline;
-use super::names::text_width;
-use super::{BORDER, EM, Element, LINE, Room, drawn, heading, plain as plain_text, text};
+use super::{Anchor, BORDER, Element, Print, Room, drawn, heading, plain as plain_text};
 use crate::bounds::Bounds;
 use crate::model::{Frame, Ink, Panel, Point, Stroke};
-use crate::number::{plain, round_up};
+use crate::number::round_up;
 use crate::scale::{SCALES, Scale};
 use crate::trace::Paper;
 
 /// Free space around what is drawn, for names, bearings and sliders, in text sizes.
 pub(crate) const MARGIN: f64 = 2.2;
-/// Greatest length of a scale bar, and height of its ends, mm.
+/// Greatest length of a scale bar, mm, and height of its ends, in text sizes.
 const BAR: f64 = 20.0;
-const END: f64 = 0.4 * EM;
+const END: f64 = 0.4;
 
 /// The elements of a panel.
-pub(super) fn elements(panel: &Panel, room: Room, language: &Language) -> Vec<Element> {
+pub(super) fn elements(panel: &Panel, room: Room, print: &Print<'_>) -> Vec<Element> {
     let Frame::Plane { bounds, scales } = &panel.frame else { return Vec::new() };
-    let mut elements = heading(panel, room, language);
-    let (plot, scale) = fit(bounds, scales, room, elements.len());
+    let mut elements = heading(panel, room, print);
+    let (plot, scale) = fit(bounds, scales, room, elements.len(), print);
+    let em = print.style.em;
     let center = bounds.center().map(|x| if x.is_finite() { x } else { 0.0 });
     let middle = [plot.left + 0.5 * plot.width, plot.top + 0.5 * plot.height];
     let place =
         |at: Point| [middle[0] + (at[0] - center[0]) / scale, middle[1] - (at[1] - center[1]) / scale];
-    let paper = Paper { place, em: EM, gap: 0.1 * EM };
+    let paper = Paper { place, em, gap: 0.1 * em };
     let marks: Vec<_> = panel.items.iter().flat_map(|item| paper.marks(item)).collect();
-    elements.extend(drawn(&marks, plot, language));
+    elements.extend(drawn(&marks, plot, print));
     // What lies in one place has no scale.
     if bounds.size().iter().any(|side| *side != 0.0) {
         for (row, own) in scales.iter().enumerate() {
-            let corner = [room.left, plot.top + plot.height + (row as f64 + 0.7) * LINE];
-            elements.extend(bar(own, scale, corner, language));
+            let corner = [room.left, plot.top + plot.height + (row as f64 + 0.7) * print.style.row()];
+            elements.extend(bar(own, scale, corner, print));
         }
     }
     elements
 }
 
 /// A panel's room, shrunk to its drawing.
-pub(super) fn shrunk(panel: &Panel, room: Room, language: &Language) -> Room {
+pub(super) fn shrunk(panel: &Panel, room: Room, print: &Print<'_>) -> Room {
     let Frame::Plane { bounds, scales } = &panel.frame else { return room };
+    let em = print.style.em;
     // A heading keeps clear of that of the next panel.
-    let title = text_width(&plain_text(&panel.title, language)) + EM;
-    let lines = |room| heading(panel, room, language).len();
-    let (_, scale) = fit(bounds, scales, room, lines(room));
-    let [width, height] = bounds.size().map(|side| side / scale + 2.0 * MARGIN * EM + BORDER);
+    let title = print.width(&plain_text(&panel.title, print.language)) + em;
+    let lines = |room| heading(panel, room, print).len();
+    let (_, scale) = fit(bounds, scales, room, lines(room), print);
+    let [width, height] = bounds.size().map(|side| side / scale + 2.0 * MARGIN * em + BORDER);
     let of_scale = |own| {
-        let (length, words) = told(own, scale, language);
-        length / scale + text_width(&words) + EM
+        let (length, words) = told(own, scale, print.language);
+        length / scale + print.width(&words) + em
     };
     let width = scales.iter().map(of_scale).fold(width.max(title).min(room.width), f64::max);
-    let around = LINE * (lines(Room { width, ..room }) + scales.len()) as f64;
+    let around = print.style.row() * (lines(Room { width, ..room }) + scales.len()) as f64;
     Room { width, height: (height + around).min(room.height), ..room }
 }
 
 /// The place of the drawing below so many lines of a heading, and its scale: units of the plane in a millimeter.
-fn fit(bounds: &Bounds, scales: &[Scale], room: Room, lines: usize) -> (Room, f64) {
-    let above = LINE * lines as f64;
-    let height = room.height - above - LINE * scales.len() as f64;
+fn fit(bounds: &Bounds, scales: &[Scale], room: Room, lines: usize, print: &Print<'_>) -> (Room, f64) {
+    let em = print.style.em;
+    let above = print.style.row() * lines as f64;
+    let height = room.height - above - print.style.row() * scales.len() as f64;
     let plot = Room { top: room.top + above, height, ..room };
     let [width, height] = bounds.size();
-    let free = |length: f64| (length - 2.0 * MARGIN * EM - BORDER).max(1.0);
+    let free = |length: f64| (length - 2.0 * MARGIN * em - BORDER).max(1.0);
     let least = (width / free(plot.width)).max(height / free(plot.height));
     (plot, scaled(least, scales))
 }
@@ -75,19 +77,20 @@ pub(crate) fn scaled(least: f64, scales: &[Scale]) -> f64 {
 }
 
 /// A scale as a bar of a round number of units.
-fn bar(own: &Scale, scale: f64, [left, base]: Point, language: &Language) -> [Element; 2] {
-    let (length, words) = told(own, scale, language);
-    let (right, top) = (left + length / scale, base - END);
-    let bar = polyline(&[[left, top], [left, base], [right, base], [right, top]], Stroke::Solid, Ink::Dim);
-    [bar, text([right + 0.5 * EM, base], &words, Ink::Dim, "start")]
+fn bar(own: &Scale, scale: f64, [left, base]: Point, print: &Print<'_>) -> [Element; 2] {
+    let (length, words) = told(own, scale, print.language);
+    let (right, top) = (left + length / scale, base - END * print.style.em);
+    let bar = polyline(
+        &[[left, top], [left, base], [right, base], [right, top]],
+        Stroke::Solid,
+        Ink::Dim,
+        &print.style,
+    );
+    [bar, print.text([right + 0.5 * print.style.em, base], &words, Ink::Dim, Anchor::Start)]
 }
 
 /// The length of the bar of a scale, and what it is with the factor: what a millimeter stands for.
 pub(crate) fn told(own: &Scale, scale: f64, language: &Language) -> (f64, String) {
     let (bar, length) = own.bar(BAR * scale);
-    let factor = (!own.symbol.is_empty()).then(|| {
-        let symbol = name(format!("μ_{{{}}}", own.symbol));
-        joined(" = ", [symbol, quantity(plain(own.size * scale), format!("{}/mm", own.unit))])
-    });
-    (bar, joined("   ", std::iter::once(length).chain(factor)).render(language))
+    (bar, joined("   ", std::iter::once(length).chain(own.factor(scale))).render(language))
 }

@@ -14,7 +14,7 @@ const FIGURE: [f64; 2] = [160.0, 100.0];
 impl ChartData {
     /// Every stage under its heading.
     pub fn tell(&self, page: &mut Document) {
-        page.title(text!("chart-title", title = name(self.title.clone())));
+        page.title(text!("chart-title", title = &self.title));
         if !self.complete {
             page.paragraph(text!("chart-stopped"));
         }
@@ -71,7 +71,7 @@ pub fn figure(data: &ChartData) -> Figure {
         Key { sample: Sample::Sign(Sign::Dot, Ink::First), text: text!("chart-point") },
         Key { sample: Sample::Line(Stroke::Chain, Ink::Text), text: FRONT },
     ];
-    Figure { title: name(data.title.clone()), columns: if panels.len() > 2 { 2 } else { 1 }, panels, legend }
+    Figure { title: Text::from(&data.title), columns: if panels.len() > 2 { 2 } else { 1 }, panels, legend }
 }
 
 /// The methods of a stage that have a time and an error; `None` if there are none.
@@ -84,7 +84,7 @@ fn panel(data: &ChartData, stage: Stage) -> Option<Panel> {
         let [low, high] = extent(rows.iter().map(|(_, place)| place[at]))?;
         // Whole powers of ten.
         let range = [10.0_f64.powf(low.log10().floor()), 10.0_f64.powf(high.log10().floor() + 1.0)];
-        Some(Axis { label, range, kind: AxisKind::Logarithmic })
+        Some(Axis { label, range, kind: AxisKind::Logarithmic, scale: None })
     };
     let time = text!("chart-time-axis", work = stage.work(), unit = unit("s"));
     let (x, y) = (axis(time, 0)?, axis(text!("chart-error-axis"), 1)?);

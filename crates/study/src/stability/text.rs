@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use assur_book::{Block, Document, Table, Unit};
 use assur_check::verdict;
-use assur_words::{Text, joined, list, name, number, quantity, text};
+use assur_words::{Text, joined, list, number, quantity, text};
 
 use super::friction::MOST;
 use super::margin;
@@ -47,7 +47,7 @@ impl Walk<'_> {
 impl Stability {
     /// Figures of the mechanism, a row for each approach and method, and conclusions.
     pub fn tell(&self, page: &mut Document) {
-        page.title(name(self.title.clone()));
+        page.scene(&self.title);
         let coordinate = Unit::coordinate(self.kind);
         let nearest = Table::each(text!("stability-nearest"), &self.groups)
             .column(text!("head-group"), |group| group.place.clone())

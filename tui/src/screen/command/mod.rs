@@ -18,6 +18,7 @@ mod motors;
 mod picker;
 mod probe;
 mod reading;
+mod sheet;
 mod table;
 mod tour;
 mod write;

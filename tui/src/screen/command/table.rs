@@ -1,14 +1,14 @@
 //! The table of commands, used for dispatch, hints, help screen, `:` line and configuration.
 
-use super::{act, begin, build, draft, found, jump, line, modes, picker, probe, tour, write};
+use super::{act, begin, build, draft, found, jump, line, modes, picker, probe, sheet, tour, write};
 use crate::screen::state::{
     Command, Effect, Group, Help, PromptKind, State, View, ViewPart, Zoom, next_kind,
 };
 
 use Group::{Change, Choose, Look, Move, Program, Views};
 use View::{
-    Accuracy, Build, Checks, Curves, Drive, Forces, Mechanism, Motion, Plans, Probe, Results, Structure,
-    Table, Values, Working,
+    Accuracy, Build, Checks, Curves, Drive, Forces, Mechanism, Motion, Plans, Probe, Results, Sheet,
+    Structure, Table, Values, Working,
 };
 
 const SCENE: &[View] = &View::TABS;
@@ -101,6 +101,12 @@ pub(crate) const COMMANDS: &[Command] = &[
     command("do-next-column", Choose, "Tab >", &[Table], |s| act::choose(s, Table, 1)),
     command("do-previous-column", Choose, "S-Tab <", &[Table], |s| act::choose(s, Table, -1)),
     command("do-sort", Choose, "s", &[Table], act::sort),
+    command("do-next-field", Choose, "Down j", &[Sheet], |s| sheet::choose(s, 1)),
+    command("do-previous-field", Choose, "Up k", &[Sheet], |s| sheet::choose(s, -1)),
+    command("do-switch-field", Change, "Enter", &[Sheet], sheet::switch),
+    command("do-field-down", Change, "S-Down >", &[Sheet], |s| sheet::shift(s, 1)),
+    command("do-field-up", Change, "S-Up <", &[Sheet], |s| sheet::shift(s, -1)),
+    command("do-next-sheet", Choose, "Tab", &[Sheet], sheet::turn),
     command("do-what-if", Change, "e", SCENE, draft::toggle),
     command("do-next-value", Change, "Down j", &[Values], |s| act::choose(s, Values, 1)),
     command("do-previous-value", Change, "Up k", &[Values], |s| act::choose(s, Values, -1)),
@@ -150,6 +156,7 @@ pub(crate) const COMMANDS: &[Command] = &[
     command("do-structure", Views, "9", OPEN, |s| s.view = Structure),
     command("do-table", Views, "t", OPEN, |s| s.view = Table),
     command("do-working", Views, "W", OPEN, |s| s.view = Working),
+    command("do-sheet", Views, "Z", OPEN, |s| s.view = Sheet),
     command("do-panels", Views, "P", SCENE, |s| s.panels.shown = !s.panels.shown),
     command("do-build", Views, "B", &[], begin::toggle),
     command("do-new", Views, "", &[], begin::new),

@@ -21,6 +21,8 @@ pub(crate) enum View {
     Structure,
     Table,
     Working,
+    /// The drawing sheet with its fields.
+    Sheet,
     /// The results that are asked for first.
     Results,
     /// The list of the scene's numbers below any other view.
@@ -33,16 +35,18 @@ pub(crate) enum View {
 }
 
 use View::{
-    Accuracy, Checks, Curves, Drive, Forces, Mechanism, Motion, Plans, Results, Structure, Table, Working,
+    Accuracy, Checks, Curves, Drive, Forces, Mechanism, Motion, Plans, Results, Sheet, Structure, Table,
+    Working,
 };
 
 impl View {
     /// Every view that has a tab, in the order of the tabs.
-    pub(crate) const TABS: [Self; 12] = [
-        Results, Mechanism, Curves, Forces, Plans, Motion, Drive, Checks, Accuracy, Structure, Table, Working,
+    pub(crate) const TABS: [Self; 13] = [
+        Results, Mechanism, Curves, Forces, Plans, Motion, Drive, Checks, Accuracy, Structure, Table,
+        Working, Sheet,
     ];
     /// Every view of a scene that is shown or built.
-    pub(crate) const OPEN: [Self; 13] = [
+    pub(crate) const OPEN: [Self; 14] = [
         Results,
         Mechanism,
         Curves,
@@ -55,6 +59,7 @@ impl View {
         Structure,
         Table,
         Working,
+        Sheet,
         Self::Build,
     ];
     /// The views in which Home, End and the page keys change the position.
@@ -78,6 +83,7 @@ impl View {
             Structure => "view-structure",
             Table => "view-table",
             Working => "view-working",
+            Sheet => "view-sheet",
             Results => "view-results",
             Self::Values => "view-what-if",
             Self::Probe => "view-probe",
@@ -139,4 +145,8 @@ pub(crate) struct Chosen {
     pub(crate) line: usize,
     pub(crate) equation: usize,
     pub(crate) column: usize,
+    /// Row of the list of fields of the sheet.
+    pub(crate) field: usize,
+    /// Number of the sheet, of several.
+    pub(crate) sheet: usize,
 }

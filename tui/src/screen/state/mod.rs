@@ -9,6 +9,7 @@ mod kinds;
 mod look;
 mod picker;
 mod scene;
+mod sheet;
 mod shown;
 mod subsequence;
 
@@ -85,6 +86,7 @@ pub(crate) struct State {
     pub(crate) pictures: Pictures,
     /// The figures of the last frame that are shown as pictures, with their places.
     pub(crate) shown: RefCell<Vec<(Figure, Rect)>>,
+    pub(crate) sheets: RefCell<sheet::Kept>,
     pub(crate) arrows: Arrows,
     pub(crate) traces: Traces,
     /// The part of each view that is shown; the first one where there is none.
@@ -147,7 +149,7 @@ impl State {
 
     /// The language that is asked for, or else that of the scene's note; on a screen of ASCII, English.
     pub(crate) fn language(&self) -> &'static Language {
-        let of_scene = || Language::find(self.scene.as_ref()?.session.note.language);
+        let of_scene = || Language::find(self.scene.as_ref()?.session.note.language?);
         let asked = Language::find(self.look.language).or_else(of_scene);
         asked.filter(|_| !self.look.ascii).unwrap_or_else(Language::english)
     }

@@ -19,6 +19,7 @@ mod pattern;
 pub(crate) mod picker;
 pub(crate) mod plans;
 pub(crate) mod report;
+mod sheet;
 pub(crate) mod structure;
 mod table;
 pub(crate) mod values;
@@ -168,6 +169,7 @@ pub(crate) fn draw_view(pen: &mut Pen<'_>, view: View, area: Rect) {
         View::Accuracy | View::Working => report::draw(pen, view, area),
         View::Structure => structure::draw(pen, scene, area),
         View::Table => table::draw(pen, scene, area),
+        View::Sheet => sheet::draw(pen, area),
         View::Results => checks::draw_results(pen, scene, area),
         View::Values | View::Probe | View::Build => {}
     }

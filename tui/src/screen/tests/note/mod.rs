@@ -3,6 +3,7 @@
 mod facts;
 mod figures;
 mod numbers;
+mod teacher;
 
 use std::collections::BTreeSet;
 
@@ -15,8 +16,9 @@ use assur_scene::Note;
 use crate::session::{Session, Source};
 
 fn note(language: &'static str) -> Note {
-    let text = |text: &str| Some(text.to_owned());
-    Note { author: text("A. <B>"), group: None, variant: text("7"), language, positions: vec![3, 27] }
+    let text = |text: &'static str| Some(assur_words::name(text));
+    let language = Some(language);
+    Note { author: text("A. <B>"), variant: text("7"), language, positions: vec![3, 27], ..Note::default() }
 }
 
 /// A scene with its analysis done.
@@ -55,7 +57,8 @@ fn no_english_word_is_left_in_another_language() {
         let analyzers = assur_force::analyzers().unwrap();
         let names = names.chain(analyzers.iter().map(|plugin| plugin.name));
         let mut known: String = names.collect::<Vec<_>>().join(" ");
-        known.extend([" TestPf atan2 groups ", &mechanism.title]);
+        // The command that prints the same working.
+        known.extend([" TestPf atan2 groups assur explain position ", &mechanism.title]);
         let known: BTreeSet<&str> = known.split(|c: char| !c.is_ascii_alphanumeric()).collect();
         for language in ["uk", "ru"] {
             let html = of(scene, language, Form::Html).text;

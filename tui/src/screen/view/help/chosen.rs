@@ -115,7 +115,7 @@ fn view(state: &State, view: View) -> Chosen {
         (View::Structure, _) => &["word-formula", "word-group"],
         (View::Working, _) => &["word-kinetostatics", "word-pf1"],
         (View::Build, _) => &["word-group", "word-mobility", "word-mode", "word-dyad"],
-        (View::Values, _) => &[],
+        (View::Values | View::Sheet, _) => &[],
         (View::Probe, _) => &["word-coupler-curve"],
     };
     let lines = state.named(view.command()).map(|command| text!(command.text)).into_iter().collect();

@@ -1,0 +1,137 @@
+//! The mechanism put together group by group, and in many positions over each other.
+
+use assur_figure::mechanism::Drawing;
+use assur_figure::{Bounds, Figure, Ink, Item, Panel, Scale, Stroke};
+use assur_geometry::overview;
+use assur_group::Order;
+use assur_kinematics::Position;
+use assur_mechanism::{GROUND, LinkId};
+use assur_words::{Text, joined, list, name, number, text};
+
+use crate::arrows::Shown;
+use crate::{Results, mechanism};
+
+/// Panels beside each other, and in one figure.
+const COLUMNS: usize = 2;
+const MOST: usize = 6;
+
+/// The input link alone, then with the first group, with the second one, and so on; the new links are marked.
+pub fn groups(results: &Results, position: usize) -> Figure {
+    let Some(pose) = results.pose(position, 0.0) else { return Figure::default() };
+    let linkage = &results.linkage;
+    let inputs: Vec<LinkId> = linkage.mechanism.input.placed().collect();
+    let mut hidden: Vec<LinkId> =
+        (1..linkage.mechanism.links.len()).filter(|link| !inputs.contains(link)).collect();
+    let mut panel = |title: Text, marked: &[LinkId]| {
+        hidden.retain(|link| !marked.contains(link));
+        let drawing = Drawing { hidden: &hidden, ..mechanism::drawing(results, marked) };
+        Panel { title, ..mechanism::plane(results, drawing.items(&pose)) }
+    };
+    // A pair between two moving links belongs to a group.
+    let named = |input: &LinkId| Text::from(&linkage.mechanism.links[*input].name);
+    let mut panels = Vec::new();
+    if !inputs.is_empty() {
+        let title = text!("assembly-input-link", link = list(inputs.iter().map(named)));
+        panels.push(panel(title, &inputs));
+    }
+    for (index, group) in linkage.structure.groups.iter().enumerate().take(MOST - 1) {
+        let kind = name(group.plugin.name.to_uppercase());
+        panels
+            .push(panel(text!("assembly-with-group", number = number(index + 1), kind), &group.frame.links));
+    }
+    let columns = COLUMNS.min(panels.len());
+    Figure { panels, columns, ..Figure::default() }
+}
+
+/// The mechanism in one position, in these others behind it as fine lines and in the dead points of its output as dashed ones, with the paths
+/// of its points; the points of the input link and of what slides on the ground have the numbers of the positions, in dead points strokes.
+pub fn positions(results: &Results, others: &[usize], chosen: usize) -> Figure {
+    let Some(pose) = results.pose(chosen, 0.0) else { return Figure::default() };
+    let drawing = mechanism::drawing(results, &[]);
+    let mut items = mechanism::paths(results, |_| true);
+    let points = numbered(results);
+    let mut numbers = Vec::new();
+    for &position in others {
+        let Some(pose) = results.pose(position, 0.0).filter(|_| position != chosen) else { continue };
+        items.extend(drawing.items(&pose).into_iter().filter_map(|item| behind(item, Stroke::Fine)));
+        for &(point, link) in &points {
+            let own = &results.linkage.mechanism.points[point];
+            let Some(at) = own.on(link) else { continue };
+            let text = joined("", [Text::from(&own.name), name(format!("_{{{position}}}"))]);
+            numbers.push(Item::Name { at: pose.bodies[link].point(at), text, ink: Ink::Text, needed: false });
+        }
+    }
+    for (index, pose) in dead(results).iter().enumerate() {
+        let faint = drawing.items(pose).into_iter().filter_map(|item| behind(item, Stroke::Dashed));
+        items.extend(faint);
+        for &(point, link) in &points {
+            let own = &results.linkage.mechanism.points[point];
+            let Some(at) = own.on(link) else { continue };
+            let text = joined("", [Text::from(&own.name), name("'".repeat(index + 1))]);
+            numbers.push(Item::name(pose.bodies[link].point(at), text, Ink::Title));
+        }
+    }
+    items.extend(drawing.items(&pose));
+    items.extend(numbers);
+    Figure::of(mechanism::plane(results, items))
+}
+
+/// Some links taken out of the mechanism in a position, with their loads and the reactions of the bodies that stay.
+pub fn loaded(results: &Results, position: usize, links: &[LinkId]) -> Figure {
+    let Some(shown) = Shown::on_links(results, position, links) else { return Figure::default() };
+    let others: Vec<LinkId> =
+        (0..results.linkage.mechanism.links.len()).filter(|link| !links.contains(link)).collect();
+    let drawing = Drawing { hidden: &others, ..mechanism::drawing(results, &[]) };
+    let mut items = drawing.items(&shown.pose);
+    items.retain(|item| !matches!(item, Item::Ground { .. }));
+    let vectors = shown.items();
+    if vectors.is_empty() {
+        return Figure::default();
+    }
+    items.extend(vectors);
+    let bounds = Bounds::around(items.iter().flat_map(Item::points));
+    let mut panel = Panel::plane(bounds, Scale::of("l", "m"), items);
+    shown.fit(&mut panel);
+    Figure { legend: shown.legend(results), ..Figure::of(panel) }
+}
+
+/// The positions in which the output, the first slide or link of the ground that goes to and fro, turns back.
+fn dead(results: &Results) -> Vec<Position> {
+    let Ok(found) = overview(&results.linkage) else { return Vec::new() };
+    let courses =
+        found.slides.iter().map(|(_, course)| course).chain(found.links.iter().map(|(_, course)| course));
+    let stroke = courses.filter_map(|course| course.stroke.as_ref()).next();
+    let solved = |at: &f64| {
+        let mut pose = results.linkage.position();
+        results.linkage.solve(*at, Order::Place, &mut pose).ok().map(|()| pose)
+    };
+    stroke.map_or_else(Vec::new, |stroke| stroke.dead_points.iter().filter_map(solved).collect())
+}
+
+/// What of an item stands behind the chosen position.
+fn behind(item: Item, stroke: Stroke) -> Option<Item> {
+    match item {
+        // The outline of the ground is the same in all of them.
+        Item::Line { ink: Ink::Ground, .. } => None,
+        Item::Line { points, .. } => Some(Item::line(points, stroke, Ink::Text)),
+        Item::Area { mut outline, .. } => {
+            outline.extend(outline.first().copied());
+            Some(Item::line(outline, stroke, Ink::Text))
+        }
+        _ => None,
+    }
+}
+
+/// The moving points that are numbered, each with its link.
+fn numbered(results: &Results) -> Vec<(usize, LinkId)> {
+    let mechanism = &results.linkage.mechanism;
+    let inputs: Vec<LinkId> = mechanism.input.placed().collect();
+    let sliding = mechanism.slides.iter().filter(|slide| slide.on == GROUND).map(|slide| slide.link);
+    let links: Vec<LinkId> = inputs.into_iter().chain(sliding).collect();
+    let on = |link: &LinkId| {
+        let points = mechanism.points.iter().enumerate();
+        let own = points.filter(|(_, point)| point.on(GROUND).is_none());
+        own.filter_map(|(id, point)| point.on(*link).map(|_| (id, *link))).take(1).collect::<Vec<_>>()
+    };
+    links.iter().flat_map(on).collect()
+}

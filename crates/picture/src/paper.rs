@@ -1,0 +1,20 @@
+//! Figures for paper, where nothing is looked at but what is drawn.
+
+use assur_figure::{Figure, Frame, Panel};
+use assur_words::{Text, list};
+
+/// A figure without its title (the caption says what it is) and without what belongs to a position on a screen: the cursor and
+/// the value at it.
+pub fn on_paper(mut figure: Figure) -> Figure {
+    figure.panels.iter_mut().for_each(still);
+    Figure { title: Text::default(), ..figure }
+}
+
+/// Takes the cursor from a plot, and the value at it; the unit stays in its heading.
+pub fn still(panel: &mut Panel) {
+    let Frame::Axes { cursor, y, .. } = &mut panel.frame else { return };
+    *cursor = None;
+    if !y.label.is_empty() {
+        panel.title = list([panel.title.clone(), y.label.clone()]);
+    }
+}

@@ -1,0 +1,130 @@
+//! What a field draws: a figure of pictures, or a table.
+
+use assur_figure::{Anchor, Element, Figure, Frame, Ink, Page, Panel, Style, elements, size, text_width};
+use assur_scene::SheetField;
+use assur_words::Language;
+
+use crate::layout::Block;
+
+/// Widths in which a picture is tried, mm: the least, the greatest, and the ratio of two that follow each other.
+const LEAST: f64 = 60.0;
+const MOST: f64 = 720.0;
+const STEP: f64 = 1.07;
+/// Height of a plane beside its width at most.
+const UPRIGHT: f64 = 1.4;
+/// Height of a plot of several below each other beside its width, from flat to high, and least height, mm.
+const FLAT: [f64; 3] = [0.22, 0.34, 0.5];
+const LEAST_PLOT: f64 = 38.0;
+/// Height of a row of a table, and space beside its texts, mm.
+const ROW: f64 = 8.0;
+const BESIDE: f64 = 1.5;
+
+/// A block of a field.
+#[derive(Debug)]
+pub(crate) struct Drawn {
+    pub(crate) field: SheetField,
+    pub(crate) content: Content,
+    /// How large it should be beside others, and its least width, mm.
+    pub(crate) weight: f64,
+    pub(crate) least: f64,
+}
+
+#[derive(Debug)]
+pub(crate) enum Content {
+    Figure(Figure),
+    /// A heading, and rows of what is told and its value.
+    Table(String, Vec<[String; 2]>),
+}
+
+impl Drawn {
+    /// The sizes in which it can be drawn, from the least.
+    pub(crate) fn block(&self, language: &Language) -> Block {
+        let mut sizes: Vec<[f64; 2]> = Vec::new();
+        match &self.content {
+            Content::Table(title, rows) => sizes.push(table_size(title, rows)),
+            Content::Figure(figure) => {
+                let mut width = self.least.max(LEAST);
+                while width <= MOST {
+                    for page in pages(figure, width) {
+                        let own = size(figure, page, Style::SHEET, language);
+                        if !sizes.contains(&own) {
+                            sizes.push(own);
+                        }
+                    }
+                    width *= STEP;
+                }
+                sizes.sort_by(|one, other| area(one).total_cmp(&area(other)));
+            }
+        }
+        Block { sizes, weight: self.weight }
+    }
+
+    /// What stands on paper in this size, from its upper left corner.
+    pub(crate) fn elements(&self, size: [f64; 2], language: &Language) -> Vec<Element> {
+        match &self.content {
+            Content::Table(title, rows) => table(title, rows, size),
+            Content::Figure(figure) if is_plane(figure) => {
+                elements(figure, Page::Within(size), Style::SHEET, language).0
+            }
+            Content::Figure(figure) => elements(figure, Page::Of(size), Style::SHEET, language).0,
+        }
+    }
+}
+
+fn area(size: &[f64; 2]) -> f64 {
+    size.iter().product()
+}
+
+fn is_plane(figure: &Figure) -> bool {
+    figure.panels.iter().all(|panel| matches!(panel.frame, Frame::Plane { .. }))
+}
+
+/// The pages of a figure in a width.
+fn pages(figure: &Figure, width: f64) -> Vec<Page> {
+    if is_plane(figure) {
+        return vec![Page::Within([width, UPRIGHT * width])];
+    }
+    let plots = figure.rows().max(1) as f64;
+    let high = |flat: f64| Page::Of([width, plots * (flat * width).max(LEAST_PLOT) + 10.0 * plots]);
+    FLAT.map(high).into()
+}
+
+fn columns(rows: &[[String; 2]]) -> [f64; 2] {
+    let widest = |column: usize| {
+        rows.iter().map(|row| text_width(&row[column], Style::SHEET.em)).fold(0.0, f64::max) + 2.0 * BESIDE
+    };
+    [widest(0), widest(1)]
+}
+
+fn table_size(title: &str, rows: &[[String; 2]]) -> [f64; 2] {
+    let width = columns(rows).iter().sum::<f64>().max(text_width(title, Style::SHEET.em));
+    [width, ROW * (rows.len() + 1) as f64]
+}
+
+fn table(title: &str, rows: &[[String; 2]], [width, height]: [f64; 2]) -> Vec<Element> {
+    let style = Style::SHEET;
+    let base = |row: usize| ROW * (row + 1) as f64 - 0.5 * (ROW - 0.73 * style.em);
+    let text = |at, words: &str, anchor| Element::text(at, words, style.em, anchor, Ink::Text);
+    let mut all = vec![text([0.0, base(0)], title, Anchor::Start)];
+    let middle = width - columns(rows)[1];
+    for (row, [told, value]) in rows.iter().enumerate() {
+        all.push(text([BESIDE, base(row + 1)], told, Anchor::Start));
+        all.push(text([width - BESIDE, base(row + 1)], value, Anchor::End));
+        let under = ROW * (row + 1) as f64;
+        all.push(Element::line(
+            [[0.0, under], [width, under]],
+            if row == 0 { style.line } else { style.fine },
+            Ink::Text,
+        ));
+    }
+    let sides = [0.0, middle, width].map(|x| Element::line([[x, ROW], [x, height]], style.line, Ink::Text));
+    all.extend(sides);
+    all.push(Element::line([[0.0, height], [width, height]], style.line, Ink::Text));
+    all
+}
+
+/// A figure of one panel with this heading.
+pub(crate) fn titled(mut panel: Panel, title: assur_words::Text) -> Figure {
+    panel.title = title;
+    Figure::of(panel)
+}

@@ -1,0 +1,182 @@
+//! The fields of a sheet: pictures of the results.
+
+use assur_figure::{Figure, Item, Panel};
+use assur_picture::paper::on_paper;
+use assur_picture::{Found, Look, Results, ViewPart, assembly, curves, motion, plans, regime};
+use assur_report::topic;
+use assur_scene::{Note, SheetField, SheetPositions};
+use assur_words::{Language, Text, joined, list, text};
+
+use crate::drawn::{Content, Drawn, titled};
+use crate::wanted;
+
+/// What all fields are drawn of.
+pub(crate) struct Source<'a> {
+    pub(crate) results: &'a Results,
+    pub(crate) found: &'a Found,
+    pub(crate) note: &'a Note,
+    pub(crate) language: &'a Language,
+    /// The positions of plans and polygons, at least one.
+    pub(crate) plans: Vec<usize>,
+}
+
+/// Least widths, mm, and weights: of the mechanism, of plots, of a plan, of a panel of the structure.
+const MECHANISM: (f64, f64) = (150.0, 4.0);
+const PLOTS: (f64, f64) = (120.0, 2.5);
+const PLAN: (f64, f64) = (70.0, 1.0);
+const STRUCTURE: (f64, f64) = (120.0, 1.0);
+
+impl Source<'_> {
+    /// The blocks of all fields that are wanted, in their order.
+    pub(crate) fn blocks(&self) -> Vec<Drawn> {
+        wanted(self.note).into_iter().flat_map(|field| self.field(field)).collect()
+    }
+
+    fn field(&self, field: SheetField) -> Vec<Drawn> {
+        let (results, first) = (self.results, self.look(self.plans[0]));
+        match field {
+            SheetField::Mechanism => {
+                let all = assembly::positions(results, &self.positions(), self.plans[0]);
+                let mut drawn = self.figures(field, MECHANISM, [titled_first(all, text!("sheet-positions"))]);
+                drawn.extend(self.figures(field, STRUCTURE, [assembly::groups(results, self.plans[0])]));
+                drawn
+            }
+            SheetField::Diagrams => self.figures(field, PLOTS, [curves::of_last(results, &first)]),
+            SheetField::Velocities => self.of_positions(field, "sheet-velocities", ViewPart::Velocities),
+            SheetField::Accelerations => {
+                self.of_positions(field, "sheet-accelerations", ViewPart::Accelerations)
+            }
+            SheetField::Forces => self.forces(),
+            SheetField::Lever => {
+                let lever = |position: &usize| {
+                    let figure = plans::lever(results, &self.look(*position));
+                    titled_first(figure, self.at("sheet-lever", *position))
+                };
+                self.figures(field, PLAN, self.plans.iter().map(lever).collect::<Vec<_>>())
+            }
+            SheetField::Dynamics => self.dynamics(&first),
+            SheetField::Results => self.table().into_iter().collect(),
+        }
+    }
+
+    fn look(&self, position: usize) -> Look<'static> {
+        Look { position, alone: true, ..Look::default() }
+    }
+
+    fn at(&self, id: &'static str, position: usize) -> Text {
+        Text::message(id, vec![("place", self.results.place(position))])
+    }
+
+    /// What there is of these figures.
+    fn figures(
+        &self,
+        field: SheetField,
+        (least, weight): (f64, f64),
+        all: impl IntoIterator<Item = Figure>,
+    ) -> Vec<Drawn> {
+        let drawn = |figure| Drawn { field, content: Content::Figure(on_paper(figure)), weight, least };
+        all.into_iter().filter(|figure| !figure.panels.is_empty()).map(drawn).collect()
+    }
+
+    /// The positions that are drawn over each other.
+    fn positions(&self) -> Vec<usize> {
+        let count = self.results.positions();
+        match &self.note.sheet.positions {
+            SheetPositions::Numbers(numbers) => numbers.clone(),
+            SheetPositions::Count(wanted) => {
+                let wanted = (*wanted).clamp(1, count);
+                (0..wanted).map(|index| index * count / wanted).collect()
+            }
+        }
+    }
+
+    fn of_positions(&self, field: SheetField, id: &'static str, part: ViewPart) -> Vec<Drawn> {
+        let plan = |position: &usize| {
+            let figure = plans::figure(self.results, &self.look(*position), part);
+            // What the vectors are, their points say.
+            Figure { legend: Vec::new(), ..titled_first(figure, self.at(id, *position)) }
+        };
+        self.figures(field, PLAN, self.plans.iter().map(plan).collect::<Vec<_>>())
+    }
+
+    /// Of each position the groups with what acts on them and their polygons, from the last to the first, the input link as the last.
+    fn forces(&self) -> Vec<Drawn> {
+        let linkage = &self.results.linkage;
+        let (mechanism, structure) = (&linkage.mechanism, &linkage.structure);
+        let groups = structure.groups.iter().enumerate().rev();
+        let groups = groups.map(|(index, group)| {
+            (structure.group_name(mechanism, index).short(), group.frame.links.clone())
+        });
+        let inputs = mechanism.input.placed();
+        let inputs = inputs.map(|input| (Text::from(&mechanism.links[input].name), vec![input]));
+        let bodies: Vec<_> = groups.chain(inputs).collect();
+        let mut all = Vec::new();
+        for &position in &self.plans {
+            let plans = self.found.plans.at(position);
+            let Ok(sheet) = &plans.sheet else { continue };
+            for (polygon, (plan, (of, links))) in sheet.polygons.iter().zip(&bodies).enumerate() {
+                let look = Look { polygon, ..self.look(position) };
+                let drawn = plans::figure(self.results, &look, ViewPart::Forces);
+                if drawn.panels.is_empty() {
+                    continue;
+                }
+                let place = || self.results.place(position);
+                let loaded = assembly::loaded(self.results, position, links);
+                all.push(titled_first(loaded, text!("sheet-loaded", of = of, place = place())));
+                all.push(titled_first(drawn, list([plan.title.clone(), place()])));
+            }
+        }
+        self.figures(SheetField::Forces, PLAN, all)
+    }
+
+    fn dynamics(&self, look: &Look<'_>) -> Vec<Drawn> {
+        let (results, field) = (self.results, SheetField::Dynamics);
+        let has_regime = self.found.analysis.dynamics.is_some();
+        if !has_regime {
+            let mut figure = motion::figure(results, look, ViewPart::Overview, usize::MAX);
+            figure.panels.retain(|panel| !is_zero(panel));
+            return self.figures(field, PLOTS, [figure]);
+        }
+        let drive = |part| regime::drive(results, look, part, 1);
+        // The last panel repeats the moments.
+        let mut characteristic = drive(ViewPart::Curves);
+        characteristic.panels.pop();
+        let course = motion::figure(results, look, ViewPart::Course, usize::MAX);
+        let mut drawn = self.figures(field, PLOTS, [course, drive(ViewPart::Inertia), characteristic]);
+        drawn.extend(self.figures(field, PLOTS, [drive(ViewPart::EnergyMass)]));
+        drawn
+    }
+
+    /// The results that are asked for first.
+    fn table(&self) -> Option<Drawn> {
+        /// Rows that a sheet has.
+        const MOST: usize = 24;
+        let facts = topic::summary(&self.found.analysis, &self.results.linkage);
+        let line = |text: &Text| text.render(self.language).replace('`', "");
+        let rows: Vec<_> =
+            facts.iter().map(|fact| [line(&fact.what()), line(&fact.with_unit())]).take(MOST).collect();
+        let title = line(&text!("sheet-results"));
+        let content = Content::Table(title, rows);
+        Some(Drawn { field: SheetField::Results, content, weight: 1.0, least: 0.0 })
+    }
+}
+
+/// A figure whose first panel has this heading.
+fn titled_first(mut figure: Figure, title: Text) -> Figure {
+    if figure.panels.len() == 1 {
+        let legend = figure.legend;
+        return match figure.panels.pop() {
+            Some(panel) => Figure { legend, ..titled(panel, title) },
+            None => Figure::default(),
+        };
+    }
+    if let Some(panel) = figure.panels.first_mut() {
+        panel.title = joined("  ", [title, panel.title.clone()]);
+    }
+    figure
+}
+
+/// Whether all curves of a panel are zero, and show nothing.
+fn is_zero(panel: &Panel) -> bool {
+    panel.items.iter().flat_map(Item::points).all(|[_, y]| y == 0.0 || !y.is_finite())
+}

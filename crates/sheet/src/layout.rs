@@ -1,0 +1,135 @@
+//! Where the fields of a sheet stand, and how large they are.
+//!
+//! Each block has sizes from the least one that is readable; all begin with the least, and the one that is smallest for what it
+//! counts grows as long as all still have room, until none can. A block stands as far left, then as high, as those before it leave
+//! room for; the free places are the greatest rectangles that nothing covers.
+
+use crate::format::Area;
+
+/// Free space between two blocks and along the frame, mm.
+const GAP: f64 = 4.0;
+const SAME: f64 = 1e-6;
+
+/// What is laid out.
+#[derive(Debug, Clone)]
+pub(crate) struct Block {
+    /// Widths and heights in which it can be drawn, mm, from the least; at least one.
+    pub(crate) sizes: Vec<[f64; 2]>,
+    /// How large it should be beside others.
+    pub(crate) weight: f64,
+}
+
+/// In which order of directions a free place is looked for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Way {
+    /// In columns from the left.
+    Columns,
+    /// In rows from the top.
+    Rows,
+}
+
+/// Index of the size and the place of a block.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Placed {
+    pub(crate) level: usize,
+    pub(crate) corner: [f64; 2],
+}
+
+/// The places of all blocks of one sheet, as large as they can be; `None` where they have no room in their least sizes.
+pub(crate) fn arrange(blocks: &[Block], frame: Area, title: Area) -> Option<Vec<Placed>> {
+    let grown = [Way::Columns, Way::Rows].into_iter().filter_map(|way| grown(blocks, frame, title, way));
+    let covered = |placed: &Vec<Placed>| -> f64 {
+        blocks.iter().zip(placed).map(|(block, own)| block.sizes[own.level].iter().product::<f64>()).sum()
+    };
+    grown.max_by(|one, other| covered(one).total_cmp(&covered(other)))
+}
+
+/// How many of the first blocks have room on one sheet in their least sizes.
+pub(crate) fn fitting(blocks: &[Block], frame: Area, title: Area) -> usize {
+    let fits = |count: &usize| {
+        let levels = vec![0; *count];
+        let placed = |way| places(&blocks[..*count], &levels, frame, title, way).is_some();
+        placed(Way::Columns) || placed(Way::Rows)
+    };
+    (1..=blocks.len()).take_while(fits).last().unwrap_or(0)
+}
+
+fn grown(blocks: &[Block], frame: Area, title: Area, way: Way) -> Option<Vec<Placed>> {
+    let mut levels = vec![0; blocks.len()];
+    let mut best = places(blocks, &levels, frame, title, way)?;
+    let mut open = vec![true; blocks.len()];
+    let size = |levels: &[usize], at: usize| -> f64 {
+        blocks[at].sizes[levels[at]].iter().product::<f64>() / blocks[at].weight
+    };
+    loop {
+        for (at, open) in open.iter_mut().enumerate() {
+            *open &= levels[at] + 1 < blocks[at].sizes.len();
+        }
+        let candidates = (0..blocks.len()).filter(|at| open[*at]);
+        let least = candidates.min_by(|one, other| size(&levels, *one).total_cmp(&size(&levels, *other)));
+        let Some(at) = least else { return Some(best) };
+        levels[at] += 1;
+        match places(blocks, &levels, frame, title, way) {
+            Some(placed) => best = placed,
+            None => {
+                levels[at] -= 1;
+                open[at] = false;
+            }
+        }
+    }
+}
+
+/// The places of blocks of these sizes, one after another; `None` where one has no room.
+fn places(blocks: &[Block], levels: &[usize], frame: Area, title: Area, way: Way) -> Option<Vec<Placed>> {
+    let inner = [frame[0] + GAP, frame[1] + GAP, frame[2], frame[3]];
+    let mut free = cut(vec![inner], [title[0] - GAP, title[1] - GAP, title[2], title[3]]);
+    let mut placed = Vec::new();
+    for (block, &level) in blocks.iter().zip(levels) {
+        let [width, height] = block.sizes[level].map(|side| side + GAP);
+        let fits = |area: &&Area| area[2] - area[0] + SAME >= width && area[3] - area[1] + SAME >= height;
+        let key = |area: &Area| if way == Way::Columns { [area[0], area[1]] } else { [area[1], area[0]] };
+        let first = free.iter().filter(fits).min_by(|one, other| {
+            let [one, other] = [key(one), key(other)];
+            one[0].total_cmp(&other[0]).then(one[1].total_cmp(&other[1]))
+        });
+        let corner = first.map(|area| [area[0], area[1]])?;
+        placed.push(Placed { level, corner });
+        free = cut(free, [corner[0], corner[1], corner[0] + width, corner[1] + height]);
+    }
+    Some(placed)
+}
+
+/// The greatest free rectangles without what a rectangle covers.
+fn cut(free: Vec<Area>, by: Area) -> Vec<Area> {
+    let mut parts: Vec<Area> = Vec::new();
+    for area in free {
+        let is_apart = by[0] >= area[2] - SAME
+            || by[2] <= area[0] + SAME
+            || by[1] >= area[3] - SAME
+            || by[3] <= area[1] + SAME;
+        if is_apart {
+            parts.push(area);
+            continue;
+        }
+        let [left, top, right, bottom] = area;
+        let sides = [
+            [left, top, by[0], bottom],
+            [by[2], top, right, bottom],
+            [left, top, right, by[1]],
+            [left, by[3], right, bottom],
+        ];
+        parts.extend(sides.into_iter().filter(|part| part[2] - part[0] > SAME && part[3] - part[1] > SAME));
+    }
+    let holds = |one: &Area, other: &Area| {
+        one[0] <= other[0] && one[1] <= other[1] && one[2] >= other[2] && one[3] >= other[3]
+    };
+    let is_greatest = |at: usize| {
+        !(0..parts.len()).any(|other| {
+            other != at && holds(&parts[other], &parts[at]) && (parts[other] != parts[at] || other < at)
+        })
+    };
+    (0..parts.len()).filter(|at| is_greatest(*at)).map(|at| parts[at]).collect()
+}
+
+#[cfg(test)]
+mod tests;

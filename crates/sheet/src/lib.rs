@@ -1,0 +1,182 @@
+//! The drawing sheet of a scene: its fields in a frame with a title block, as PDF, SVG or DXF.
+//!
+//! [`sheet`] makes pages of elements of pictures of the results (`fields`), each as large as all have room (`layout`), beside the
+//! title block of the language (`title`); [`Form::write`] gives them a form.
+
+mod drawn;
+mod fields;
+mod format;
+mod layout;
+pub mod preview;
+mod title;
+
+use assur_figure::{Element, dxf, svg};
+use assur_picture::Results;
+use assur_scene::{Note, SHEET_FIELDS, SheetField, SheetFormat};
+use assur_words::{Language, Text, text};
+
+use drawn::Drawn;
+use fields::Source;
+pub use format::Area;
+use format::{FORMATS, Standard};
+use layout::{Block, Placed};
+use title::Filling;
+
+assur_words::resources!();
+
+/// The form of a sheet.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Form {
+    /// One file with a page for each sheet.
+    Pdf,
+    /// A file for each sheet.
+    Svg,
+    /// A file for each sheet, a unit is a millimeter of paper.
+    Dxf,
+}
+
+impl Form {
+    /// The form that the ending of a file name chooses.
+    pub fn of(ending: &str) -> Option<Self> {
+        let forms = [("pdf", Self::Pdf), ("svg", Self::Svg), ("dxf", Self::Dxf)];
+        forms.into_iter().find(|(name, _)| ending.eq_ignore_ascii_case(name)).map(|(_, form)| form)
+    }
+
+    /// The files of pages, in their order.
+    ///
+    /// # Errors
+    ///
+    /// In words: the font that is built in does not serve.
+    pub fn write(self, title: &str, pages: &[Page]) -> Result<Vec<Vec<u8>>, Text> {
+        Ok(match self {
+            Self::Pdf => {
+                let of = |page: &Page| (page.size, page.elements().collect::<Vec<_>>());
+                let all: Vec<_> = pages.iter().map(of).collect();
+                let all: Vec<_> =
+                    all.iter().map(|(size, elements)| assur_pdf::Page { size: *size, elements }).collect();
+                vec![assur_pdf::write(title, &all).ok_or_else(|| text!("sheet-no-font"))?]
+            }
+            Self::Svg => {
+                let of = |page: &Page| svg::page(title, page.size, &page.elements().collect::<Vec<_>>());
+                pages.iter().map(|page| of(page).into_bytes()).collect()
+            }
+            Self::Dxf => {
+                let of = |page: &Page| dxf::page(&page.elements().collect::<Vec<_>>());
+                pages.iter().map(|page| of(page).into_bytes()).collect()
+            }
+        })
+    }
+}
+
+/// What stands on a sheet together.
+#[derive(Debug)]
+pub struct Part {
+    /// The field; `None`: frame and title block.
+    pub field: Option<SheetField>,
+    /// Its elements.
+    pub elements: Vec<Element>,
+}
+
+impl Part {
+    /// The rectangle that its elements cover; `None` where they show nothing.
+    pub fn area(&self) -> Option<Area> {
+        self.elements.iter().filter_map(Element::bounds).reduce(|one, other| {
+            [one[0].min(other[0]), one[1].min(other[1]), one[2].max(other[2]), one[3].max(other[3])]
+        })
+    }
+}
+
+/// A sheet.
+#[derive(Debug)]
+pub struct Page {
+    /// Its format.
+    pub format: SheetFormat,
+    /// Its width and height, mm.
+    pub size: [f64; 2],
+    /// The inside of its frame, and the title block.
+    pub frame: [Area; 2],
+    /// Frame and title block, then the fields.
+    pub parts: Vec<Part>,
+}
+
+impl Page {
+    /// All that stands on it.
+    pub fn elements(&self) -> impl Iterator<Item = Element> {
+        self.parts.iter().flat_map(|part| part.elements.iter().cloned())
+    }
+
+    /// How much of the area inside the frame the fields and the title block cover.
+    pub fn covered(&self) -> f64 {
+        let area = |of: Area| (of[2] - of[0]) * (of[3] - of[1]);
+        let fields = self.parts.iter().filter(|part| part.field.is_some()).filter_map(Part::area);
+        (fields.map(area).sum::<f64>() + area(self.frame[1])) / area(self.frame[0])
+    }
+}
+
+/// The fields that a scene wants, in their order.
+pub fn wanted(note: &Note) -> Vec<SheetField> {
+    let every = || SHEET_FIELDS.iter().map(|(_, field)| *field).collect();
+    note.sheet.fields.clone().unwrap_or_else(every)
+}
+
+/// The sheets of a scene whose analysis is done, in the words of a language.
+///
+/// # Errors
+///
+/// In words: no analysis, none of the fields has anything to show, or one is larger than the sheet.
+pub fn sheet(results: &Results, note: &Note, language: &Language) -> Result<Vec<Page>, Text> {
+    let found = results.found.as_deref().ok_or_else(|| text!("sheet-no-results"))?;
+    let wanted = if note.sheet.plans.is_empty() { &note.positions } else { &note.sheet.plans };
+    let drawn = Source { results, found, note, language, plans: results.chosen(wanted) }.blocks();
+    if drawn.is_empty() {
+        return Err(text!("sheet-nothing"));
+    }
+    let blocks: Vec<Block> = drawn.iter().map(|own| own.block(language)).collect();
+    let standard = Standard::of(language);
+    let fits = |format: &SheetFormat| {
+        let frame = standard.frame(format::size(*format));
+        layout::fitting(&blocks, frame, standard.title(frame)) == blocks.len()
+    };
+    // What no format holds goes on sheets of the format of schools.
+    let format = note.sheet.format.or_else(|| FORMATS.into_iter().find(fits)).unwrap_or(SheetFormat::A1);
+    let frame = standard.frame(format::size(format));
+    let areas = [frame, standard.title(frame)];
+    let sheets = divided(&blocks, areas)?;
+    let count = sheets.len();
+    let title = Text::from(&results.linkage.mechanism.title).render(language);
+    let title = title.as_str();
+    let page = |(number, (first, placed)): (usize, &(usize, Vec<Placed>))| {
+        let filling = Filling { title, note, language, sheet: [number + 1, count] };
+        let elements = title::elements(standard, format::size(format), &filling);
+        let mut parts = vec![Part { field: None, elements }];
+        parts.extend(
+            placed
+                .iter()
+                .enumerate()
+                .map(|(at, own)| part(&drawn[first + at], &blocks[first + at], *own, language)),
+        );
+        Page { format, size: format::size(format), frame: areas, parts }
+    };
+    Ok(sheets.iter().enumerate().map(page).collect())
+}
+
+fn part(drawn: &Drawn, block: &Block, placed: Placed, language: &Language) -> Part {
+    let elements = drawn.elements(block.sizes[placed.level], language).into_iter();
+    Part {
+        field: Some(drawn.field),
+        elements: elements.map(|element| element.moved(placed.corner)).collect(),
+    }
+}
+
+/// The blocks in so many sheets as they need, each with the number of its first block.
+fn divided(blocks: &[Block], [frame, title]: [Area; 2]) -> Result<Vec<(usize, Vec<Placed>)>, Text> {
+    let (mut sheets, mut first) = (Vec::new(), 0);
+    while first < blocks.len() {
+        let count = layout::fitting(&blocks[first..], frame, title);
+        let placed = layout::arrange(&blocks[first..first + count], frame, title);
+        let placed = placed.filter(|placed| !placed.is_empty()).ok_or_else(|| text!("sheet-too-small"))?;
+        sheets.push((first, placed));
+        first += count;
+    }
+    Ok(sheets)
+}

@@ -1,0 +1,204 @@
+//! Frame and title block.
+
+use assur_figure::{Anchor, Element, Ink, Style, text_width};
+use assur_scene::Note;
+use assur_words::{Language, Text, text};
+
+use crate::format::{Area, Standard};
+
+/// Size of the small letters of a title block, mm.
+const SMALL: f64 = 3.5;
+/// Space beside the letters of a cell, mm.
+const BESIDE: f64 = 0.8;
+
+/// What a title block is filled with.
+pub(crate) struct Filling<'a> {
+    pub(crate) title: &'a str,
+    pub(crate) note: &'a Note,
+    pub(crate) language: &'a Language,
+    /// Number of the sheet, from 1, and of all.
+    pub(crate) sheet: [usize; 2],
+}
+
+/// The edge of the sheet, its frame and the title block.
+pub(crate) fn elements(standard: Standard, [width, height]: [f64; 2], filling: &Filling<'_>) -> Vec<Element> {
+    let frame = standard.frame([width, height]);
+    let mut block = Block { corner: [0.0; 2], all: Vec::new() };
+    block.rectangle([0.0, 0.0, width, height], Style::SHEET.fine);
+    block.rectangle(frame, Style::SHEET.thick);
+    let [left, top, ..] = standard.title(frame);
+    block.corner = [left, top];
+    let [width, height] = standard.block();
+    block.rectangle([0.0, 0.0, width, height], Style::SHEET.thick);
+    match standard {
+        Standard::Iso => iso(&mut block, filling),
+        Standard::Gost => gost(&mut block, filling),
+    }
+    block.all
+}
+
+struct Block {
+    corner: [f64; 2],
+    all: Vec<Element>,
+}
+
+impl Block {
+    fn rectangle(&mut self, [left, top, right, bottom]: Area, width: f64) {
+        let corners = [[left, top], [right, top], [right, bottom], [left, bottom], [left, top]];
+        self.line(&corners, width);
+    }
+
+    fn line(&mut self, points: &[[f64; 2]], width: f64) {
+        let [x, y] = self.corner;
+        let points: Vec<_> = points.iter().map(|at| [at[0] + x, at[1] + y]).collect();
+        self.all.push(Element::line(points, width, Ink::Text));
+    }
+
+    fn text(&mut self, [x, y]: [f64; 2], words: &str, size: f64, anchor: Anchor, room: f64) {
+        let [left, top] = self.corner;
+        let mut text = Element::text([left + x, top + y], words, size, anchor, Ink::Text);
+        text.narrowed(room - 2.0 * BESIDE);
+        if !words.is_empty() {
+            self.all.push(text);
+        }
+    }
+
+    /// A text in a cell, in the middle of its height.
+    fn cell(&mut self, [left, top, right, bottom]: Area, words: &str, size: f64, anchor: Anchor) {
+        let x = match anchor {
+            Anchor::Start => left + BESIDE,
+            Anchor::Middle => 0.5 * (left + right),
+            Anchor::End => right - BESIDE,
+        };
+        let room = right - left;
+        // What would be less than half as wide stands in two lines.
+        let lines = if text_width(words, size) > 1.6 * room && bottom - top > 2.6 * size {
+            halves(words)
+        } else {
+            vec![words]
+        };
+        let first = 0.5 * (top + bottom) + 0.365 * size - 0.65 * size * (lines.len() - 1) as f64;
+        for (row, line) in lines.into_iter().enumerate() {
+            self.text([x, first + 1.3 * size * row as f64], line, size, anchor, room);
+        }
+    }
+
+    /// A cell of ISO 7200: what it is above, and its value below.
+    fn field(&mut self, area: Area, told: &Text, value: &str, language: &Language) {
+        let [left, top, right, bottom] = area;
+        self.rectangle(area, Style::SHEET.line);
+        self.text([left + BESIDE, top + 3.4], &told.render(language), SMALL, Anchor::Start, right - left);
+        self.cell(
+            [left, top + 3.6, right, bottom],
+            value,
+            Style::SHEET.em.min(bottom - top - 4.4),
+            Anchor::Start,
+        );
+    }
+}
+
+/// A text in two lines, divided at the space nearest to its middle.
+fn halves(words: &str) -> Vec<&str> {
+    let middle = words.len() / 2;
+    let spaces = words.match_indices(' ').map(|(at, _)| at);
+    match spaces.min_by_key(|at| at.abs_diff(middle)) {
+        Some(at) => vec![&words[..at], &words[at + 1..]],
+        None => vec![words],
+    }
+}
+
+fn iso(block: &mut Block, filling: &Filling<'_>) {
+    let (note, language) = (filling.note, filling.language);
+    let of = |text: &Option<Text>| text.as_ref().map_or_else(String::new, |text| text.render(language));
+    let own = note.sheet.number.clone().unwrap_or_default();
+    let [sheet, sheets] = filling.sheet;
+    let rows = [
+        ([0.0, 0.0, 45.0, 9.0], text!("sheet-department"), String::new()),
+        ([45.0, 0.0, 90.0, 9.0], text!("sheet-technical-reference"), String::new()),
+        ([90.0, 0.0, 140.0, 9.0], text!("sheet-creator"), of(&note.author)),
+        ([140.0, 0.0, 180.0, 9.0], text!("sheet-approval"), String::new()),
+        ([0.0, 9.0, 45.0, 36.0], text!("sheet-owner"), of(&note.group)),
+        ([45.0, 9.0, 120.0, 18.0], text!("sheet-document-type"), text!("sheet-drawing").render(language)),
+        ([45.0, 18.0, 120.0, 36.0], text!("sheet-title"), filling.title.to_owned()),
+        ([120.0, 9.0, 180.0, 18.0], text!("sheet-status"), String::new()),
+        ([120.0, 18.0, 180.0, 27.0], text!("sheet-number"), own),
+        ([120.0, 27.0, 132.0, 36.0], text!("sheet-revision"), String::new()),
+        ([132.0, 27.0, 155.0, 36.0], text!("sheet-date"), String::new()),
+        ([155.0, 27.0, 167.0, 36.0], text!("sheet-language"), language.code.to_owned()),
+        ([167.0, 27.0, 180.0, 36.0], text!("sheet-sheet"), format!("{sheet}/{sheets}")),
+    ];
+    for (area, told, value) in rows {
+        block.field(area, &told, &value, language);
+    }
+}
+
+/// ГОСТ 2.104, form 1: 185 x 55 mm.
+fn gost(block: &mut Block, filling: &Filling<'_>) {
+    let (note, language) = (filling.note, filling.language);
+    let (thick, fine) = (Style::SHEET.thick, Style::SHEET.fine);
+    let of = |text: &Option<Text>| text.as_ref().map_or_else(String::new, |text| text.render(language));
+    let own = note.sheet.number.clone().unwrap_or_default();
+    let told = |text: Text| text.render(language);
+    // Changes and signatures at the left.
+    for row in 1..11 {
+        let y = 5.0 * f64::from(row);
+        block.line(&[[0.0, y], [65.0, y]], if row == 4 || row == 5 { thick } else { fine });
+    }
+    block.line(&[[7.0, 0.0], [7.0, 25.0]], thick);
+    for x in [17.0, 40.0, 55.0, 65.0] {
+        block.line(&[[x, 0.0], [x, 55.0]], thick);
+    }
+    let heads = [
+        ([0.0, 20.0, 7.0, 25.0], text!("sheet-change")),
+        ([7.0, 20.0, 17.0, 25.0], text!("sheet-sheet")),
+        ([17.0, 20.0, 40.0, 25.0], text!("sheet-document")),
+        ([40.0, 20.0, 55.0, 25.0], text!("sheet-signature")),
+        ([55.0, 20.0, 65.0, 25.0], text!("sheet-date")),
+    ];
+    for (area, head) in heads {
+        block.cell(area, &told(head), SMALL, Anchor::Middle);
+    }
+    let signed = [
+        (text!("sheet-made"), of(&note.author)),
+        (text!("sheet-checked"), String::new()),
+        (text!("sheet-technical-control"), String::new()),
+        (Text::default(), String::new()),
+        (text!("sheet-norm-control"), String::new()),
+        (text!("sheet-approved"), String::new()),
+    ];
+    for (row, (what, who)) in signed.into_iter().enumerate() {
+        let (top, bottom) = (25.0 + 5.0 * row as f64, 30.0 + 5.0 * row as f64);
+        block.cell([0.0, top, 17.0, bottom], &told(what), SMALL, Anchor::Start);
+        block.cell([17.0, top, 40.0, bottom], &who, SMALL, Anchor::Start);
+    }
+    // Designation, title, material; what the drawing is of; the organization.
+    block.line(&[[65.0, 15.0], [185.0, 15.0]], thick);
+    block.line(&[[65.0, 40.0], [185.0, 40.0]], thick);
+    block.line(&[[135.0, 15.0], [135.0, 55.0]], thick);
+    for y in [20.0, 35.0] {
+        block.line(&[[135.0, y], [185.0, y]], thick);
+    }
+    for x in [150.0, 167.0] {
+        block.line(&[[x, 15.0], [x, 35.0]], thick);
+    }
+    for x in [140.0, 145.0] {
+        block.line(&[[x, 20.0], [x, 35.0]], fine);
+    }
+    block.line(&[[155.0, 35.0], [155.0, 40.0]], thick);
+    let large = Style::SHEET.em;
+    block.cell([65.0, 0.0, 185.0, 15.0], &own, 1.4 * large, Anchor::Middle);
+    block.cell([65.0, 15.0, 135.0, 40.0], filling.title, large, Anchor::Middle);
+    let heads = [
+        ([135.0, 15.0, 150.0, 20.0], text!("sheet-letter")),
+        ([150.0, 15.0, 167.0, 20.0], text!("sheet-mass")),
+        ([167.0, 15.0, 185.0, 20.0], text!("sheet-scale")),
+    ];
+    for (area, head) in heads {
+        block.cell(area, &told(head), SMALL, Anchor::Middle);
+    }
+    let [sheet, sheets] = filling.sheet;
+    let number = |what: Text, number: usize| format!("{} {number}", told(what));
+    block.cell([135.0, 35.0, 155.0, 40.0], &number(text!("sheet-sheet"), sheet), SMALL, Anchor::Start);
+    block.cell([155.0, 35.0, 185.0, 40.0], &number(text!("sheet-sheets"), sheets), SMALL, Anchor::Start);
+    block.cell([135.0, 40.0, 185.0, 55.0], &of(&note.group), large, Anchor::Middle);
+}
