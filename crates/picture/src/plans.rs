@@ -99,9 +99,14 @@ pub fn lever(results: &Results, look: &Look<'_>) -> Figure {
         let last = drawn.steps.iter().rposition(|step| step.drawing == Drawing::Lever)?;
         Some(plans.steps_of(index).start + last)
     });
-    last.map_or_else(Figure::default, |step| {
-        figure(results, &Look { step, ..*look }, ViewPart::Construction)
-    })
+    let Some(step) = last else { return Figure::default() };
+    let drawn = figure(results, &Look { step, ..*look }, ViewPart::Construction);
+    let Some((construction, last)) = chosen_step(&plans, step) else { return drawn };
+    // The velocities are named by their points.
+    let unit = construction.steps.iter().find(|step| step.kind == VectorKind::Absolute).map(|step| step.unit);
+    let forces = construction.steps[..=last].iter().filter(|step| step.unit == "N" && step.drawing == Drawing::Lever);
+    let legend = plots::limited(forces.filter_map(|step| key_of_step(step, unit)).collect());
+    Figure { legend, ..drawn }
 }
 
 /// What the labels of a plan stand for, with the sizes.

@@ -4,8 +4,6 @@ use assur_figure::{Anchor, Element, Figure, Frame, Ink, Page, Panel, Style, elem
 use assur_scene::SheetField;
 use assur_words::Language;
 
-use crate::layout::Block;
-
 /// Widths in which a picture is tried, mm: the least, the greatest, and the ratio of two that follow each other.
 const LEAST: f64 = 60.0;
 const MOST: f64 = 720.0;
@@ -36,43 +34,47 @@ pub(crate) enum Content {
     Table(String, Vec<[String; 2]>),
 }
 
+/// A size in which a field can be drawn, mm, and on which page it has this size; a table has none.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Size {
+    pub(crate) size: [f64; 2],
+    page: Option<Page>,
+}
+
 impl Drawn {
     /// The sizes in which it can be drawn, from the least.
-    pub(crate) fn block(&self, language: &Language) -> Block {
-        let mut sizes: Vec<[f64; 2]> = Vec::new();
-        match &self.content {
-            Content::Table(title, rows) => sizes.push(table_size(title, rows)),
-            Content::Figure(figure) => {
-                let mut width = self.least.max(LEAST);
-                while width <= MOST {
-                    for page in pages(figure, width) {
-                        let own = size(figure, page, Style::SHEET, language);
-                        if !sizes.contains(&own) {
-                            sizes.push(own);
-                        }
-                    }
-                    width *= STEP;
+    pub(crate) fn sizes(&self, language: &Language) -> Vec<Size> {
+        let figure = match &self.content {
+            Content::Table(title, rows) => return vec![Size { size: table_size(title, rows), page: None }],
+            Content::Figure(figure) => figure,
+        };
+        let mut sizes: Vec<Size> = Vec::new();
+        let mut width = self.least.max(LEAST);
+        while width <= MOST {
+            for page in pages(figure, width) {
+                let own = Size { size: size(figure, page, Style::SHEET, language), page: Some(page) };
+                if sizes.iter().all(|known| known.size != own.size) {
+                    sizes.push(own);
                 }
-                sizes.sort_by(|one, other| area(one).total_cmp(&area(other)));
             }
+            width *= STEP;
         }
-        Block { sizes, weight: self.weight }
+        sizes.sort_by(|one, other| area(one).total_cmp(&area(other)));
+        sizes
     }
 
     /// What stands on paper in this size, from its upper left corner.
-    pub(crate) fn elements(&self, size: [f64; 2], language: &Language) -> Vec<Element> {
-        match &self.content {
-            Content::Table(title, rows) => table(title, rows, size),
-            Content::Figure(figure) if is_plane(figure) => {
-                elements(figure, Page::Within(size), Style::SHEET, language).0
-            }
-            Content::Figure(figure) => elements(figure, Page::Of(size), Style::SHEET, language).0,
+    pub(crate) fn elements(&self, size: Size, language: &Language) -> Vec<Element> {
+        match (&self.content, size.page) {
+            (Content::Figure(figure), Some(page)) => elements(figure, page, Style::SHEET, language).0,
+            (Content::Table(title, rows), _) => table(title, rows, size.size),
+            (Content::Figure(_), None) => Vec::new(),
         }
     }
 }
 
-fn area(size: &[f64; 2]) -> f64 {
-    size.iter().product()
+fn area(of: &Size) -> f64 {
+    of.size.iter().product()
 }
 
 fn is_plane(figure: &Figure) -> bool {

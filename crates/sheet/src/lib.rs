@@ -15,7 +15,7 @@ use assur_picture::Results;
 use assur_scene::{Note, SHEET_FIELDS, SheetField, SheetFormat};
 use assur_words::{Language, Text, text};
 
-use drawn::Drawn;
+use drawn::{Drawn, Size};
 use fields::Source;
 use format::{FORMATS, Standard};
 pub use format::Area;
@@ -135,7 +135,12 @@ pub fn sheet(
     if drawn.is_empty() {
         return Err(text!("sheet-nothing"));
     }
-    let blocks: Vec<Block> = drawn.iter().map(|own| own.block(language)).collect();
+    let sizes: Vec<Vec<Size>> = drawn.iter().map(|own| own.sizes(language)).collect();
+    let block = |(own, sizes): (&Drawn, &Vec<Size>)| Block {
+        sizes: sizes.iter().map(|own| own.size).collect(),
+        weight: own.weight,
+    };
+    let blocks: Vec<Block> = drawn.iter().zip(&sizes).map(block).collect();
     let standard = Standard::of(language);
     let fits = |format: &SheetFormat| {
         let frame = standard.frame(format::size(*format));
@@ -152,15 +157,15 @@ pub fn sheet(
         let filling = Filling { title, note, language, sheet: [number + 1, count] };
         let elements = title::elements(standard, format::size(format), &filling);
         let mut parts = vec![Part { field: None, elements }];
-        parts.extend(placed.iter().enumerate().map(|(at, own)| part(&drawn[first + at], &blocks[first + at], *own, language)));
+        parts.extend(placed.iter().enumerate().map(|(at, own)| part(&drawn[first + at], sizes[first + at][own.level], own.corner, language)));
         Page { format, size: format::size(format), frame: areas, parts }
     };
     Ok(sheets.iter().enumerate().map(page).collect())
 }
 
-fn part(drawn: &Drawn, block: &Block, placed: Placed, language: &Language) -> Part {
-    let elements = drawn.elements(block.sizes[placed.level], language).into_iter();
-    Part { field: Some(drawn.field), elements: elements.map(|element| element.moved(placed.corner)).collect() }
+fn part(drawn: &Drawn, size: Size, corner: [f64; 2], language: &Language) -> Part {
+    let elements = drawn.elements(size, language).into_iter();
+    Part { field: Some(drawn.field), elements: elements.map(|element| element.moved(corner)).collect() }
 }
 
 /// The blocks in so many sheets as they need, each with the number of its first block.
