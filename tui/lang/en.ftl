@@ -471,6 +471,7 @@ cli-no-causes = error: reactions by cause: { $problem }
 cli-no-plans = error: plans of position { $position }: { $problem }
 cli-no-energy-form = the energy form needs a motion from an initial state or a regime, with all loads known
 cli-no-sample = there is no sample { $sample }: the motion has samples 0 to { $last }
+cli-working-in-note = The note of `assur report` has the same working with numbered formulas where { $position } is the first of `[note] positions`.
 cli-no-such-link = `--against { $link }`: the scene has no such link, only { $links }
 cli-nothing-to-draw = error: there is nothing to draw: { $reason }
 cli-note-ending = `{ $file }` must end in .html, .md or .typ

@@ -446,6 +446,7 @@ cli-no-causes = ошибка: реакции по причинам: { $problem }
 cli-no-plans = ошибка: планы положения { $position }: { $problem }
 cli-no-energy-form = форма кинетической энергии требует движения из начального состояния или установившегося движения и всех нагрузок
 cli-no-sample = отсчёта { $sample } нет: у движения отсчёты от 0 до { $last }
+cli-working-in-note = Записка команды `assur report` содержит тот же расчёт с номерами формул, где { $position } — первое из `[note] positions`.
 cli-no-such-link = `--against { $link }`: у сцены нет такого звена, только { $links }
 cli-nothing-to-draw = ошибка: нечего рисовать: { $reason }
 cli-note-ending = `{ $file }` должен оканчиваться на .html, .md или .typ

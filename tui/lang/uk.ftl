@@ -443,6 +443,7 @@ cli-no-causes = помилка: реакції за причинами: { $probl
 cli-no-plans = помилка: плани положення { $position }: { $problem }
 cli-no-energy-form = форма кінетичної енергії потребує руху з початкового стану або усталеного руху та всіх навантажень
 cli-no-sample = відліку { $sample } немає: рух має відліки від 0 до { $last }
+cli-working-in-note = Записка команди `assur report` має той самий розрахунок із номерами формул, де { $position } — перше з `[note] positions`.
 cli-no-such-link = `--against { $link }`: сцена не має такої ланки, лише { $links }
 cli-nothing-to-draw = помилка: нема чого малювати: { $reason }
 cli-note-ending = `{ $file }` має закінчуватися на .html, .md або .typ

@@ -210,7 +210,7 @@ fn animated(
     page: Page,
     language: &'static Language,
 ) -> Result<Vec<u8>, StillError> {
-    let title = name(results.linkage.mechanism.title.clone());
+    let title = Text::from(&results.linkage.mechanism.title);
     let frame = |position| Ok(Figure { title: title.clone(), ..of(&Look { position, ..*look })? });
     let frames = results.frames().map(frame);
     let mut frames = to_one_scale(frames.collect::<Result<Vec<_>, StillError>>()?);
@@ -344,7 +344,7 @@ fn figure(
     if matches!(view, Picture::Mechanism | Picture::Structure) {
         return Ok(figure);
     }
-    let of_scene = name(results.linkage.mechanism.title.clone());
+    let of_scene = Text::from(&results.linkage.mechanism.title);
     let parts = [of_scene, results.place(look.position), figure.title.clone()];
     let title = joined("; ", parts.into_iter().filter(|part| !part.is_empty()));
     Ok(Figure { title, ..figure })

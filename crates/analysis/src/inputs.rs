@@ -20,7 +20,7 @@ pub struct StructureStudy {
     /// Version of the form.
     pub format: u8,
     /// Title of the scene; may be empty.
-    pub title: String,
+    pub title: Name,
     /// The structure with the input of the scene; `None` where it gives no mechanism.
     pub structure: Option<StructureReport>,
     /// Why it gives none.

@@ -1,8 +1,8 @@
 # Чему принадлежат величины.
 owner-link = звено { $name }
 owner-point = точка { $name }
-owner-slide = ползун { $name }
-owner-pair-on = { $name } на { $link }
+owner-slide = поступательная пара { $name }
+owner-pair-on = { $name } -> { $link }
 owner-group = группа { $number }
 owner-drive = привод { $name }
 owner-load = нагрузка { $name }

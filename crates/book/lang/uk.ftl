@@ -1,8 +1,8 @@
 # Чому належать величини.
 owner-link = ланка { $name }
 owner-point = точка { $name }
-owner-slide = повзун { $name }
-owner-pair-on = { $name } на { $link }
+owner-slide = поступальна пара { $name }
+owner-pair-on = { $name } -> { $link }
 owner-group = група { $number }
 owner-drive = привід { $name }
 owner-load = навантаження { $name }

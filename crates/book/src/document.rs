@@ -2,8 +2,8 @@
 
 use assur_analysis::results::Column as Quantity;
 use assur_figure::Figure;
-use assur_mechanism::{Driver, LinkId, Mechanism};
-use assur_words::{Text, joined, name, text, unit};
+use assur_mechanism::{Driver, LinkId, Mechanism, Name};
+use assur_words::{Text, joined, text, unit};
 use assur_worksheet::Term;
 
 use crate::catalogue::Unit;
@@ -57,9 +57,9 @@ impl Document {
     }
 
     /// The title of a scene, where it has one.
-    pub fn scene(&mut self, title: &str) {
+    pub fn scene(&mut self, title: &Name) {
         if !title.is_empty() {
-            self.title(name(title.to_owned()));
+            self.title(title.into());
         }
     }
 

@@ -7,8 +7,8 @@ use assur_words::{Text, name, number};
 /// through [`digits`].
 pub(crate) const NONE: &str = "-";
 
-/// Significant digits of the largest value of a column.
-const DIGITS: i32 = 6;
+/// Significant digits of the largest value of a column, where a reader does not ask for others.
+pub(crate) const DIGITS: usize = 6;
 
 /// A number below this part of the largest of its kind is rounding, and zero.
 pub const ROUNDING: f64 = 1e-13;
@@ -32,15 +32,15 @@ pub enum Digits {
 
 impl Digits {
     /// A number as it is written; `largest`: the greatest magnitude in its column, `kind`: in all columns of its unit.
-    pub(crate) fn write(self, value: f64, [largest, kind]: [f64; 2]) -> Text {
+    pub(crate) fn write(self, value: f64, [largest, kind]: [f64; 2], significant: usize) -> Text {
         if !value.is_finite() {
             return name(NONE);
         }
         let [clean, largest] = [value, largest].map(|value| zero_if_rounding(value, kind));
         number(match self {
-            Self::Ratio if is_rounding(value, kind) => short(value),
-            Self::Even | Self::Ratio => digits(clean, largest),
-            Self::Short => short(clean),
+            Self::Ratio if is_rounding(value, kind) => trimmed(value, significant),
+            Self::Even | Self::Ratio => digits(clean, largest, significant),
+            Self::Short => trimmed(clean, significant),
             Self::Exponent if value == 0.0 => "0".to_owned(),
             Self::Exponent => format!("{value:.2e}"),
             Self::Long => long(value),
@@ -60,11 +60,11 @@ fn is_rounding(value: f64, greatest: f64) -> bool {
 
 /// One value with six significant digits and no zeros at the end.
 pub(crate) fn short(value: f64) -> String {
-    trimmed(value, 6)
+    trimmed(value, DIGITS)
 }
 
-/// One value with as many decimals as the largest beside it needs for six significant digits.
-pub(crate) fn digits(value: f64, largest: f64) -> String {
+/// One value with as many decimals as the largest beside it needs for so many significant digits.
+pub(crate) fn digits(value: f64, largest: f64, significant: usize) -> String {
     if !value.is_finite() {
         return NONE.to_owned();
     }
@@ -73,10 +73,15 @@ pub(crate) fn digits(value: f64, largest: f64) -> String {
     }
     let exponent = largest.log10().floor();
     if !(-4.0..7.0).contains(&exponent) {
-        return if value == 0.0 { "0".to_owned() } else { format!("{value:.5e}") };
+        return if value == 0.0 {
+            "0".to_owned()
+        } else {
+            format!("{value:.*e}", significant.saturating_sub(1))
+        };
     }
     #[expect(clippy::cast_possible_truncation, reason = "between -4 and 7")]
-    let decimals = (DIGITS - 1 - exponent as i32).max(0);
+    let exponent = exponent as i32;
+    let decimals = i32::try_from(significant).unwrap_or(i32::MAX) - 1 - exponent;
     let text = format!("{value:.*}", usize::try_from(decimals).unwrap_or(0));
     // No minus before a zero.
     match text.strip_prefix('-') {

@@ -4,7 +4,7 @@ use assur_mechanism::Name;
 use assur_words::{Text, count, joined, name};
 
 use crate::catalogue::Unit;
-use crate::number::{Digits, NONE};
+use crate::number::{DIGITS, Digits, NONE};
 
 /// A table.
 #[derive(Debug, Clone, Default)]
@@ -136,10 +136,10 @@ impl Column {
     }
 
     /// The cells as they are shown; `kind`: the greatest number of their unit.
-    fn printed(&self, head: Text, kind: f64) -> Printed {
+    fn printed(&self, head: Text, kind: f64, significant: usize) -> Printed {
         let sizes = [self.greatest(), kind];
         let cell = |cell: &Cell| match cell {
-            Cell::Number(value) => self.digits.write(value * self.unit.factor, sizes),
+            Cell::Number(value) => self.digits.write(value * self.unit.factor, sizes, significant),
             Cell::None => name(NONE),
             Cell::Text(text) => text.clone(),
         };
@@ -249,7 +249,13 @@ impl Table {
 
     /// The key columns, and the others group by group.
     pub fn printed(&self) -> (Vec<Printed>, Vec<Vec<Printed>>) {
-        let keys = self.keys.iter().map(|column| column.printed(column.head.clone(), column.greatest()));
+        self.printed_with(DIGITS)
+    }
+
+    /// The same with so many significant digits.
+    pub fn printed_with(&self, digits: usize) -> (Vec<Printed>, Vec<Vec<Printed>>) {
+        let key = |column: &Column| column.printed(column.head.clone(), column.greatest(), digits);
+        let keys = self.keys.iter().map(key);
         let mut greatest: Vec<(&str, f64)> = Vec::new();
         for column in self.groups.iter().flat_map(|group| &group.columns) {
             match greatest.iter_mut().find(|(unit, _)| *unit == column.unit.name) {
@@ -267,7 +273,7 @@ impl Table {
             let columns = group.columns.iter().enumerate().map(|(index, column)| {
                 let owner = if index == 0 { group.owner.clone() } else { Text::default() };
                 let parts = [owner, column.head.clone()].into_iter().filter(|part| !part.is_empty());
-                column.printed(joined(" ", parts), of_unit(column))
+                column.printed(joined(" ", parts), of_unit(column), digits)
             });
             columns.collect()
         };

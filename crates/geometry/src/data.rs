@@ -1,6 +1,6 @@
 //! The geometry of the motion as data that serializes itself.
 
-use assur_mechanism::{CoordinateKind, LinkId, Named};
+use assur_mechanism::{CoordinateKind, LinkId, Name, Named};
 use assur_words::Text;
 use indexmap::IndexMap;
 use serde::Serialize;
@@ -16,7 +16,7 @@ pub struct Geometry {
     /// Version of the format.
     pub format: u32,
     /// Title of the scene.
-    pub title: String,
+    pub title: Name,
     /// Whether coordinates are angles, rad; otherwise m, or s over time.
     #[serde(rename = "angular")]
     pub kind: CoordinateKind,

@@ -58,7 +58,7 @@ pub const GROUND: LinkId = 0;
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Mechanism {
     /// Title in one line, for headers; may be empty.
-    pub title: String,
+    pub title: Name,
     /// The ground, then the moving links.
     pub links: Vec<Link>,
     /// Every named point; one that belongs to two or more links is a pin.

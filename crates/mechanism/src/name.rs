@@ -3,15 +3,16 @@
 use std::borrow::{Borrow, Cow};
 use std::{fmt, ops::Deref};
 
-use assur_words::{Text, name, text};
+use assur_words::{Text, labelled, name, text};
 use serde::Serialize;
 
 use crate::{LinkId, Mechanism, PairId, PointId, SlideId};
 
 /// A name of the scene, or one that the program gives, which has its own words in each language (`force 1 on rod`).
 ///
-/// As a string it is English: what results are found by.
-#[derive(Clone, Eq, Serialize)]
+/// As a string it is English: what results are found by, and files have. As a text it is what a person reads: of a part with labels
+/// that of the language.
+#[derive(Clone, Default, Eq, Serialize)]
 #[serde(transparent)]
 pub struct Name {
     english: String,
@@ -23,6 +24,12 @@ impl Name {
     /// The name of the fixed link.
     pub fn ground() -> Self {
         text!("mechanism-ground").into()
+    }
+
+    /// The same name with what a reader calls it, by the code of a language.
+    #[must_use]
+    pub fn with_labels(self, labels: impl IntoIterator<Item = (&'static str, String)>) -> Self {
+        Self { text: labelled(self.text, labels), english: self.english }
     }
 
     /// The name in English.

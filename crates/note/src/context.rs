@@ -1,11 +1,14 @@
 //! What every part of the note is made from.
 
-use assur_book::Document;
+use assur_book::{Block, Document};
 use assur_figure::Figure;
 pub(super) use assur_picture::paper::{on_paper, still};
 use assur_picture::{Found, Look, Results};
 use assur_report::topic::Source;
-use assur_words::{Text, joined, text};
+use assur_scene::Note;
+use assur_words::{Language, Text, joined, number, text};
+
+use crate::formula::Formulas;
 
 /// A scene whose analysis is done, and what is told of it.
 pub(super) struct Context<'a> {
@@ -13,6 +16,12 @@ pub(super) struct Context<'a> {
     pub(super) found: &'a Found,
     /// Numbers of the positions that are drawn and worked out, at least one.
     pub(super) positions: &'a [usize],
+    /// The language in which columns may be named.
+    pub(super) language: &'a Language,
+    /// What the scene says of the note.
+    pub(super) note: &'a Note,
+    /// Where its formulas are, for the tables that refer to them.
+    pub(super) formulas: Formulas,
 }
 
 pub(super) type Topic = fn(&Source<'_>, &mut Document);
@@ -62,6 +71,30 @@ impl Context<'_> {
 
     pub(super) fn places(&self) -> Text {
         joined("; ", self.positions.iter().map(|position| self.place(*position)))
+    }
+}
+
+/// A figure behind the sentence that names it by its number; `told`: the identity of the sentence. Nothing where it has no panels.
+pub(super) fn show(
+    page: &mut Document,
+    told: &'static str,
+    (figure, size): (Figure, [f64; 2]),
+    caption: Text,
+) {
+    show_frames(page, told, (vec![figure], size), caption);
+}
+
+/// The same of a figure that moves on a screen.
+pub(super) fn show_frames(
+    page: &mut Document,
+    told: &'static str,
+    (frames, size): (Vec<Figure>, [f64; 2]),
+    caption: Text,
+) {
+    if frames.first().is_some_and(|first| !first.panels.is_empty()) {
+        let before = page.blocks.iter().filter(|block| matches!(block, Block::Figure { .. })).count();
+        page.paragraph(Text::message(told, vec![("figure", number(before + 1))]));
+        page.blocks.push(Block::Figure { frames, size, caption });
     }
 }
 

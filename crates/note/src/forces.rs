@@ -11,10 +11,11 @@ use assur_picture::{Look, Reaction, Series, ViewPart, curves, plans, plots};
 use assur_report::topic;
 use assur_words::{Text, list, name, number, quantity, text, unit};
 
-use crate::context::{Context, on_paper, still};
+use crate::context::{Context, on_paper, show, still};
+use crate::formula::Finds;
 
 /// Page of two polygons, and of a curve beside its hodograph, mm.
-const POLYGONS: [f64; 2] = [165.0, 80.0];
+const POLYGONS: [f64; 2] = [165.0, 125.0];
 const CURVE: [f64; 2] = [165.0, 85.0];
 /// Loads in one figure.
 const MOST_LOADS: usize = 4;
@@ -34,12 +35,13 @@ pub(super) fn forces(context: &Context<'_>, page: &mut Document) {
     page.paragraph(text!("note-forces-text", analyzer = name(found.analyzer.clone())));
     let drawn = loads(context);
     let size = [CURVE[0], 25.0 + 35.0 * drawn.rows() as f64];
-    page.figure(drawn, size, text!("note-loads-drawn"));
+    show(page, "note-see-loads", (drawn, size), text!("note-loads-drawn"));
     context.tell(page, &[topic::inertia_loads]);
     polygons(context, page);
     construction(context, page);
     context
         .tell(page, &[topic::reactions_at_positions, topic::balancing_at_positions, topic::friction_tables]);
+    context.formulas.refer(page, Finds::Forces);
     touching(context, page);
     over_cycle(context, page);
 }
@@ -51,7 +53,8 @@ fn touching(context: &Context<'_>, page: &mut Document) {
     let panels: Vec<Panel> = found.reactions.iter().filter_map(of).take(MOST_CIRCLES).collect();
     let figure = Figure { panels, columns: 2, ..Figure::default() };
     let size = [CURVE[0], 75.0 * figure.rows() as f64];
-    page.figure(figure, size, text!("note-friction-drawn", place = context.place(position)));
+    let caption = text!("note-friction-drawn", place = context.place(position));
+    show(page, "note-see-friction", (figure, size), caption);
 }
 
 /// The values of the loads that vary over the cycle (S fig. 6), the first ones of many.
@@ -93,7 +96,7 @@ fn polygons(context: &Context<'_>, page: &mut Document) {
         let drawn =
             |look: &Look<'_>| plans::figure(context.results, &Look { polygon, ..*look }, ViewPart::Forces);
         let figure = context.beside(drawn);
-        page.figure(figure, POLYGONS, places);
+        show(page, "note-see-polygon", (figure, POLYGONS), places);
         page.table(vectors);
     }
 }
@@ -125,20 +128,22 @@ fn over_cycle(context: &Context<'_>, page: &mut Document) {
     // All of them together, as L fig. 2 has them.
     for picked in moduli.chunks(MOST_REACTIONS) {
         let together = curves::figure(results, &Look { picked, ..context.first() });
-        page.figure(on_paper(together), CURVE, context.with_legend(text!("note-reactions-drawn")));
+        let caption = context.with_legend(text!("note-reactions-drawn"));
+        show(page, "note-see-reactions", (on_paper(together), CURVE), caption);
     }
     let all = [
-        (most, ViewPart::Overview, text!("note-reaction-curve", of)),
+        (most, ViewPart::Overview, "note-see-hodograph", text!("note-reaction-curve", of)),
         (
             balancing,
             ViewPart::Curves,
+            "note-see-balancing",
             list([Some(text!("note-balancing-curve")), symbol].into_iter().flatten()),
         ),
     ];
-    for (index, part, caption) in all {
+    for (index, part, told, caption) in all {
         let Some(reaction) = index else { continue };
         let figure = forces::figure(results, &Look { reaction, ..context.first() }, part);
-        page.figure(on_paper(figure), CURVE, caption);
+        show(page, told, (on_paper(figure), CURVE), caption);
     }
 }
 
@@ -165,7 +170,7 @@ fn construction(context: &Context<'_>, page: &mut Document) {
     let figure = Figure { panels, columns: 2, ..Figure::default() };
     let size = [STAGES[0], STAGES[1] * figure.rows() as f64];
     let caption = text!("note-construction", title = &drawn.title, place);
-    page.figure(figure, size, caption);
+    show(page, "note-see-construction", (figure, size), caption);
     page.table(steps(drawn, text!("note-construction-steps", title = &drawn.title)));
 }
 

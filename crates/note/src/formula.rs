@@ -1,17 +1,83 @@
-//! The working of a position as equations.
+//! The working of a position as equations, and the numbers by which tables refer to them.
+
+use std::cell::RefCell;
 
 use assur_book::{Block, Document, Term};
 use assur_words::{Describe, Text, number, text};
 use assur_working::WorkingError;
 use assur_worksheet::{Entry, Section};
 
-use super::context::Context;
+use crate::context::Context;
 use crate::working;
+
+/// What a section of the working finds.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Finds {
+    /// Positions and transfer functions.
+    Motion,
+    /// Reactions and the balancing load.
+    Forces,
+}
+
+/// Sections by the identities of their titles.
+const SECTIONS: [(&str, Finds); 8] = [
+    ("working-input", Finds::Motion),
+    ("working-driven", Finds::Motion),
+    ("working-group", Finds::Motion),
+    ("working-inertia-loads", Finds::Forces),
+    ("working-loads", Finds::Forces),
+    ("working-reactions", Finds::Forces),
+    ("working-input-forces", Finds::Forces),
+    ("working-balancing-load", Finds::Forces),
+];
+
+/// Paragraphs that refer to formulas further on, which have their numbers only when all of the note is written.
+#[derive(Debug, Default)]
+pub(super) struct Formulas {
+    /// The number of the block, and what its formulas find.
+    wanted: RefCell<Vec<(usize, Finds)>>,
+    /// The numbers of formulas, and what they find.
+    found: RefCell<Vec<(usize, Finds)>>,
+}
+
+impl Formulas {
+    /// Leaves room for a paragraph that names the formulas behind the tables before it.
+    pub(super) fn refer(&self, page: &mut Document, finds: Finds) {
+        self.wanted.borrow_mut().push((page.blocks.len(), finds));
+        page.paragraph(Text::default());
+    }
+
+    fn add(&self, number: usize, section: &Section) {
+        let known = SECTIONS.iter().find(|(id, _)| section.title.identity() == Some(id));
+        self.found.borrow_mut().extend(known.map(|(_, finds)| (number, *finds)));
+    }
+
+    /// Writes the paragraphs; one whose formulas are not in the note goes.
+    pub(super) fn resolve(&self, page: &mut Document, position: usize) {
+        for (at, finds) in self.wanted.take().into_iter().rev() {
+            let found = self.found.borrow();
+            let mut numbers = found.iter().filter(|(_, own)| *own == finds).map(|(number, _)| *number);
+            let (first, last) = (numbers.next(), numbers.next_back());
+            let (Some(first), Some(last)) = (first, last) else {
+                page.blocks.remove(at);
+                continue;
+            };
+            let id = match finds {
+                Finds::Motion => "note-formulas-of-motion",
+                Finds::Forces => "note-formulas-of-forces",
+            };
+            let [position, first, last] = [position, first, last].map(number);
+            let values = vec![("position", position), ("first", first), ("last", last)];
+            page.blocks[at] = Block::Paragraph(Text::message(id, values));
+        }
+    }
+}
 
 pub(super) fn working(context: &Context<'_>, page: &mut Document) -> Result<(), Text> {
     let position = context.positions[0];
     let working = working::of_position(context.found.plans.calculation(), position);
     page.heading(text!("note-working", position = number(position)));
+    page.paragraph(text!("note-working-text", position = number(position)));
     let sections = match working {
         Ok(working) => working.sections,
         Err(error @ (WorkingError::Load { .. } | WorkingError::OverTime)) => {
@@ -21,7 +87,7 @@ pub(super) fn working(context: &Context<'_>, page: &mut Document) -> Result<(), 
         Err(error) => return Err(error.describe()),
     };
     // The first section repeats title and structure.
-    sections.iter().skip(1).for_each(|section| add(section, page));
+    sections.iter().skip(1).for_each(|section| add(context, section, page));
     Ok(())
 }
 
@@ -31,15 +97,21 @@ pub(super) fn energy(context: &Context<'_>, page: &mut Document) {
     if !sections.is_empty() {
         page.heading(text!("note-energy-form"));
         for section in &sections {
-            add(section, page);
+            add(context, section, page);
         }
     }
 }
 
-fn add(section: &Section, page: &mut Document) {
+fn add(context: &Context<'_>, section: &Section, page: &mut Document) {
     page.blocks.push(Block::Subheading(section.title.clone()));
-    page.blocks.extend(section.entries.iter().map(|entry| match entry {
-        Entry::Note(text) => Block::Paragraph(text.clone()),
-        equation => Block::Equation(equation.sides().join(&Term::Sign(" = "))),
-    }));
+    for entry in &section.entries {
+        page.blocks.push(match entry {
+            Entry::Note(text) => Block::Paragraph(text.clone()),
+            equation => {
+                let before = page.blocks.iter().filter(|block| matches!(block, Block::Equation(_))).count();
+                context.formulas.add(before + 1, section);
+                Block::Equation(equation.sides().join(&Term::Sign(" = ")))
+            }
+        });
+    }
 }

@@ -3,13 +3,16 @@
 //! [`write`](fn@write) makes a [`Document`] from the topics of the report and pictures of the results (`parts`), and writes it in a
 //! form (`html`, `markdown`, `typst`).
 
+mod conclusions;
 mod context;
+mod cover;
 mod forces;
 mod formula;
 mod html;
 mod markdown;
 mod parts;
 mod sheet;
+mod symbols;
 mod typst;
 pub mod working;
 
@@ -19,6 +22,8 @@ use assur_scene::Note;
 use assur_words::{Language, Text, name, text};
 
 use context::Context;
+use cover::Cover;
+use formula::Formulas;
 use sheet::NoteSheet;
 
 assur_words::resources!();
@@ -59,10 +64,15 @@ pub struct Written {
 ///
 /// # Errors
 ///
-/// In words: no analysis, or the first of these positions can't be worked out.
-pub fn document(results: &Results, positions: &[usize]) -> Result<Document, Text> {
+/// In words: no analysis, the first of these positions can't be worked out, or the results lack a column of `curves`.
+pub fn document(results: &Results, note: &Note, positions: &[usize]) -> Result<Document, Text> {
     let found = results.found.as_ref().ok_or_else(|| text!("note-no-results"))?;
-    parts::document(&Context { results, found, positions })
+    let language = language(note);
+    parts::document(&Context { results, found, positions, language, note, formulas: Formulas::default() })
+}
+
+fn language(note: &Note) -> &'static Language {
+    note.language.and_then(Language::find).unwrap_or(Language::english())
 }
 
 /// The note of a scene whose analysis is done, in a form; `folder` is where the files of figures are, seen from the note.
@@ -71,7 +81,7 @@ pub fn document(results: &Results, positions: &[usize]) -> Result<Document, Text
 ///
 /// In words: as [`document`], or there are more positions than a note can show.
 pub fn write(results: &Results, note: &Note, form: Form, folder: &str) -> Result<Written, Text> {
-    let language = Language::find(note.language).unwrap_or(Language::english());
+    let language = language(note);
     let mechanism = &results.linkage.mechanism;
     let (count, parts) = (results.positions(), mechanism.parts());
     if count * parts > MOST_PARTS {
@@ -79,8 +89,10 @@ pub fn write(results: &Results, note: &Note, form: Form, folder: &str) -> Result
         return Err(text!("note-too-many", most, parts, count));
     }
     let positions = results.chosen(&note.positions);
-    let Document { blocks, .. } = document(results, &positions)?;
-    let mut sheet = NoteSheet { title: &mechanism.title, author: sheet::author(note), blocks, language };
+    let Document { blocks, .. } = document(results, note, &positions)?;
+    let cover = Cover::of(note, Text::from(&mechanism.title));
+    let language = &language.with_digits(note.digits);
+    let mut sheet = NoteSheet { cover, blocks, language, digits: note.digits };
     // Typst numbers headings, figures and tables itself.
     if form != Form::Typst {
         sheet.number();

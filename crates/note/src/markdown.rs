@@ -10,21 +10,36 @@ use super::Written;
 use super::html::TURN;
 use super::sheet::{self, Grid, NoteSheet};
 
+/// A row of the cover that is to be filled in by hand.
+const RULE: &str = "\\_\\_\\_\\_\\_\\_\\_\\_\\_\\_\\_\\_";
+
 /// The text, with links to files of figures in `folder`, and these files.
 pub(super) fn write(sheet: &NoteSheet<'_>, folder: &str) -> Written {
     let line = |text: &Text| rich(&sheet.line(text));
-    let mut text = format!("# {}\n\n{}\n\n", rich(sheet.title), line(&text!("note-title")));
-    for (what, who) in &sheet.author {
-        let _ = writeln!(text, "{}: {}\n", line(what), rich(who));
+    let mut text = String::new();
+    for (what, row) in sheet.cover.rows() {
+        let what = what.map_or_else(String::new, |what| line(what) + ": ");
+        let _ = writeln!(text, "{what}{}\n", row.map_or_else(|| RULE.to_owned(), &line));
     }
+    let _ = writeln!(text, "## {}\n", line(&text!("note-contents")));
+    for (_, title) in sheet.chapters() {
+        let _ = writeln!(text, "* {}", line(title));
+    }
+    text.push('\n');
+    let mut equations = 0_usize;
     let mut figures = Vec::new();
     for block in &sheet.blocks {
         let _ = match block {
             Block::Title(_) => Ok(()),
             Block::Heading(title) => writeln!(text, "## {}\n", line(title)),
             Block::Subheading(title) => writeln!(text, "### {}\n", line(title)),
-            Block::Paragraph(words) => writeln!(text, "{}\n", line(words)),
-            Block::Equation(terms) => writeln!(text, "${}$\n", equation(sheet, terms)),
+            Block::Paragraph(words) => {
+                sheet.paragraphs(words).iter().try_for_each(|words| writeln!(text, "{}\n", rich(words)))
+            }
+            Block::Equation(terms) => {
+                equations += 1;
+                writeln!(text, "${} \\qquad ({equations})$\n", equation(sheet, terms))
+            }
             Block::Figure { frames, size, caption } => {
                 let name = format!("figure-{}.svg", figures.len() + 1);
                 let (drawn, _) = svg::animate(frames, Page::Within(*size), TURN, sheet.language);

@@ -3,17 +3,19 @@
 use assur_analysis::results::{Column, Failure, Owner, Quantity};
 use assur_book::{Block, Document};
 use assur_figure::{Item, Panel};
-use assur_picture::{Look, ViewPart, assembly, curves, mechanism, motion, plans, regime};
+use assur_picture::{Look, Picture, ViewPart, assembly, curves, mechanism, motion, plans, regime};
 use assur_report::topic;
-use assur_words::{Text, list, number, text};
+use assur_scene::Chapter;
+use assur_words::{Text, list, name, number, text};
 
-use crate::context::{Context, look, on_paper};
-use crate::{forces, formula};
+use crate::context::{Context, look, on_paper, show, show_frames};
+use crate::formula::Finds;
+use crate::{conclusions, forces, formula, symbols};
 
 /// Pages of a mechanism, of several ones beside each other, and of plans, mm.
-const MECHANISM: [f64; 2] = [160.0, 110.0];
-const MECHANISMS: [f64; 2] = [165.0, 100.0];
-const PLANS: [f64; 2] = [165.0, 85.0];
+const MECHANISM: [f64; 2] = [160.0, 120.0];
+const MECHANISMS: [f64; 2] = [165.0, 130.0];
+const PLANS: [f64; 2] = [165.0, 125.0];
 /// Pages of three curves, of two, and of one, mm.
 const TRANSFER: [f64; 2] = [160.0, 130.0];
 const CURVES: [f64; 2] = [160.0, 120.0];
@@ -28,23 +30,91 @@ const PANELS: [f64; 2] = [165.0, 78.0];
 
 pub(super) fn document(context: &Context<'_>) -> Result<Document, Text> {
     let mut page = Document::default();
+    symbols::symbols(context, &mut page);
+    let parts: [(Chapter, fn(&Context<'_>, &mut Document)); 7] = [
+        (Chapter::Results, main_results),
+        (Chapter::Task, task),
+        (Chapter::Structure, structure),
+        (Chapter::Kinematics, kinematics),
+        (Chapter::Forces, forces::forces),
+        (Chapter::Dynamics, dynamics),
+        (Chapter::Energy, formula::energy),
+    ];
+    for (_, part) in parts.iter().filter(|(chapter, _)| context.note.has(*chapter)) {
+        part(context, &mut page);
+    }
+    curves(context, &mut page)?;
+    if context.note.has(Chapter::Results) {
+        context.tell(&mut page, &[topic::further]);
+    }
+    if context.note.has(Chapter::Working) {
+        formula::working(context, &mut page)?;
+    }
+    let parts: [(Chapter, fn(&Context<'_>, &mut Document)); 4] = [
+        (Chapter::Checks, checks),
+        (Chapter::Model, limits),
+        (Chapter::Conclusions, conclusions::conclusions),
+        (Chapter::Sources, sources),
+    ];
+    for (_, part) in parts.iter().filter(|(chapter, _)| context.note.has(*chapter)) {
+        part(context, &mut page);
+    }
+    context.formulas.resolve(&mut page, context.positions[0]);
+    Ok(page)
+}
+
+/// The numbers that are asked for first.
+fn main_results(context: &Context<'_>, page: &mut Document) {
     let facts = topic::summary(&context.found.analysis, &context.results.linkage);
     page.heading(text!("report-results"));
     page.facts(text!("note-main-results"), facts);
     page.paragraph(text!("report-between"));
-    for part in [task, structure, kinematics, forces::forces, dynamics, formula::energy] {
-        part(context, &mut page);
+}
+
+/// The further diagrams that the scene asks for.
+///
+/// # Errors
+///
+/// In words: a column that the results don't have.
+fn curves(context: &Context<'_>, page: &mut Document) -> Result<(), Text> {
+    if context.note.curves.is_empty() {
+        return Ok(());
     }
-    context.tell(&mut page, &[topic::further]);
-    formula::working(context, &mut page)?;
-    checks(context, &mut page);
-    limits(context, &mut page);
-    Ok(page)
+    page.heading(text!("note-curves"));
+    for names in &context.note.curves {
+        let column = |name: &String| {
+            let (mut look, shown) = (context.first(), (Picture::Curves, ViewPart::Overview));
+            let told = |text: &Text| text.render(context.language);
+            let found = look.choose(context.results, shown, name, told);
+            let series = found.ok().and_then(|()| context.results.column(look.column));
+            series.map(|series| series.short.clone()).ok_or_else(|| no_column(name))
+        };
+        let picked: Vec<String> = names.iter().map(column).collect::<Result<_, _>>()?;
+        let figure = curves::figure(context.results, &Look { picked: &picked, ..context.first() });
+        let titles =
+            picked.iter().filter_map(|short| context.results.named(short)).map(|series| series.title());
+        let caption = text!("note-curves-of", of = list(titles));
+        show(page, "note-see-curves", (on_paper(figure), CURVES), caption);
+    }
+    Ok(())
+}
+
+fn no_column(column: &str) -> Text {
+    text!("note-no-column", column = name(column.to_owned()))
+}
+
+/// The works that the calculation follows.
+fn sources(_: &Context<'_>, page: &mut Document) {
+    page.heading(text!("note-sources"));
+    for source in ["note-source-s", "note-source-e", "note-source-d", "note-source-l"] {
+        page.paragraph(text!(source));
+    }
 }
 
 /// The mechanism as it is given, drawn, moving.
 fn task(context: &Context<'_>, page: &mut Document) {
     page.heading(text!("report-task"));
+    page.blocks.extend(context.note.task.clone().map(Block::Paragraph));
     page.paragraph(topic::task_text(&context.source()));
     context.tell(page, &[topic::dimensions, topic::loads_given, topic::motion_given]);
     let results = context.results;
@@ -52,7 +122,7 @@ fn task(context: &Context<'_>, page: &mut Document) {
     let frames = results.frames().map(frame).filter(|frame| !frame.panels.is_empty());
     let frames: Vec<_> = frames.collect();
     let caption = text!("note-mechanism-moving", at = context.place(results.first_position()));
-    page.blocks.extend((!frames.is_empty()).then_some(Block::Figure { frames, size: MECHANISM, caption }));
+    show_frames(page, "note-see-mechanism", (frames, MECHANISM), caption);
 }
 
 /// Mobility, pairs, groups, and the mechanism assembled group by group.
@@ -62,7 +132,7 @@ fn structure(context: &Context<'_>, page: &mut Document) {
     let figure = assembly::groups(context.results, context.positions[0]);
     let size = [PANELS[0], PANELS[1] * figure.rows() as f64];
     let caption = text!("note-assembly", place = context.place(context.positions[0]));
-    page.figure(figure, size, caption);
+    show(page, "note-see-assembly", (figure, size), caption);
 }
 
 /// The mechanism and its plans in the chosen positions, tables of rates, curves of the last quantity.
@@ -71,22 +141,28 @@ fn kinematics(context: &Context<'_>, page: &mut Document) {
     page.paragraph(text!("note-kinematics-text"));
     let results = context.results;
     let drawn = context.beside(|look| mechanism::figure(results, look, &[]));
-    page.figure(drawn, MECHANISMS, text!("note-mechanism-at", place = context.places()));
-    for (kind, caption) in [
-        (ViewPart::Velocities, text!("note-velocity-plan", place = context.places())),
-        (ViewPart::Accelerations, text!("note-acceleration-plan", place = context.places())),
+    let caption = text!("note-mechanism-at", place = context.places());
+    show(page, "note-see-positions", (drawn, MECHANISMS), caption);
+    for (kind, told, caption) in [
+        (ViewPart::Velocities, "note-see-velocities", text!("note-velocity-plan", place = context.places())),
+        (
+            ViewPart::Accelerations,
+            "note-see-accelerations",
+            text!("note-acceleration-plan", place = context.places()),
+        ),
     ] {
         let figure = context.beside(|look| plans::figure(results, look, kind));
-        page.figure(figure, PLANS, caption);
+        show(page, told, (figure, PLANS), caption);
     }
     context.tell(page, &[topic::rates_of_points, topic::rates_of_links]);
+    context.formulas.refer(page, Finds::Motion);
     // The last quantity is that of the last slide, or of the last link: what the mechanism is for.
     let transfer = results.transfers.len().saturating_sub(1);
     let curves = curves::figure(results, &Look { transfer, ..context.first() });
     let of = &curves.title;
     let caption =
         if results.linkage.kind().is_time() { text!("note-course", of) } else { text!("note-transfer", of) };
-    page.figure(on_paper(curves), TRANSFER, caption);
+    show(page, "note-see-transfer", (on_paper(curves), TRANSFER), caption);
 }
 
 /// Numbers, iteration and curves of the regime; curves of the motion where there is no regime.
@@ -103,7 +179,7 @@ fn dynamics(context: &Context<'_>, page: &mut Document) {
         figure.panels.retain(|panel| !is_zero(panel));
         page.heading(text!("report-motion"));
         reduced_inertia(context, page);
-        page.figure(figure, CURVES, text!("note-motion-curves"));
+        show(page, "note-see-motion", (figure, CURVES), text!("note-motion-curves"));
         return;
     }
     page.heading(text!("note-dynamics"));
@@ -112,17 +188,22 @@ fn dynamics(context: &Context<'_>, page: &mut Document) {
     reduced_inertia(context, page);
     let reduction = context.beside(|look| regime::drive(results, look, ViewPart::Reduction, 1));
     let caption = text!("note-link-of-reduction", place = context.places());
-    page.figure(of_motion(ViewPart::Course), CURVES, text!("note-speed-and-moments"));
-    page.figure(of_drive(ViewPart::Inertia), CURVE, context.with_legend(text!("note-shares-drawn")));
-    page.figure(of_drive(ViewPart::EnergyMass), DIAGRAM, text!("note-energy-mass"));
-    page.figure(of_motion(ViewPart::Iteration), CURVES, text!("note-iteration-drawn"));
-    page.figure(reduction, LINK, caption);
+    let course = (of_motion(ViewPart::Course), CURVES);
+    show(page, "note-see-course", course, text!("note-speed-and-moments"));
+    let shares = (of_drive(ViewPart::Inertia), CURVE);
+    show(page, "note-see-shares", shares, context.with_legend(text!("note-shares-drawn")));
+    let diagram = (of_drive(ViewPart::EnergyMass), DIAGRAM);
+    show(page, "note-see-energy-mass", diagram, text!("note-energy-mass"));
+    let iteration = (of_motion(ViewPart::Iteration), CURVES);
+    show(page, "note-see-iteration", iteration, text!("note-iteration-drawn"));
+    show(page, "note-see-reduction", (reduction, LINK), caption);
     context.tell(page, &[topic::iteration, topic::drive]);
     // The last panel repeats the moments.
     let mut drive = of_drive(ViewPart::Curves);
     drive.panels.pop();
-    page.figure(drive, CURVES, text!("note-characteristic"));
-    page.figure(of_drive(ViewPart::Places), PLACES, text!("note-places-drawn"));
+    show(page, "note-see-characteristic", (drive, CURVES), text!("note-characteristic"));
+    let places = (of_drive(ViewPart::Places), PLACES);
+    show(page, "note-see-places", places, text!("note-places-drawn"));
 }
 
 /// J and its derivative in one diagram (S fig. 8); nothing where there is no mass.
@@ -135,7 +216,8 @@ fn reduced_inertia(context: &Context<'_>, page: &mut Document) {
     if inertia.size() > 0.0 {
         let picked = &[inertia, slope].map(|series| series.short.clone());
         let figure = curves::figure(context.results, &Look { picked, ..context.first() });
-        page.figure(on_paper(figure), CURVE, context.with_legend(text!("note-reduced-inertia-drawn")));
+        let caption = context.with_legend(text!("note-reduced-inertia-drawn"));
+        show(page, "note-see-inertia", (on_paper(figure), CURVE), caption);
     }
 }
 
@@ -159,7 +241,6 @@ fn limits(context: &Context<'_>, page: &mut Document) {
     let has_friction = context.found.analysis.friction.is_some();
     let model = if has_friction { "note-model-text-friction" } else { "note-model-text" };
     page.paragraph(text!(model));
-    page.paragraph(text!("note-sources"));
     let (analysis, broken) = (&context.found.analysis, &context.results.broken);
     analysis.warnings.iter().for_each(|note| page.paragraph(Text::from(note)));
     let positions = |all: Vec<usize>| list(all.into_iter().map(number));

@@ -2,15 +2,16 @@
 
 use assur_book::{Block, Printed, Table};
 use assur_figure::svg::lowered;
-use assur_scene::Note;
-use assur_words::{Language, Text, joined, name, number, text, unit};
+use assur_words::{Language, Text, joined, number, unit};
+
+use crate::cover::Cover;
 
 pub(super) struct NoteSheet<'a> {
-    pub(super) title: &'a str,
-    /// What the author says of himself, each behind its name.
-    pub(super) author: Vec<(Text, String)>,
+    pub(super) cover: Cover,
     pub(super) blocks: Vec<Block>,
     pub(super) language: &'a Language,
+    /// Significant digits of its numbers.
+    pub(super) digits: usize,
 }
 
 pub(super) struct Grid {
@@ -18,15 +19,6 @@ pub(super) struct Grid {
     /// Which columns stand at the right.
     pub(super) right: Vec<bool>,
     pub(super) rows: Vec<Vec<String>>,
-}
-
-pub(super) fn author(note: &Note) -> Vec<(Text, String)> {
-    let rows = [
-        (text!("note-author"), &note.author),
-        (text!("note-group"), &note.group),
-        (text!("note-variant"), &note.variant),
-    ];
-    rows.into_iter().filter_map(|(what, who)| Some((what, who.clone()?))).collect()
 }
 
 impl NoteSheet<'_> {
@@ -37,31 +29,43 @@ impl NoteSheet<'_> {
 
     /// Gives headings, figures and tables their numbers.
     pub(super) fn number(&mut self) {
-        let language = self.language;
         let [mut parts, mut figures, mut tables] = [0_usize; 3];
-        let numbered = |id: &'static str, count: &mut usize, caption: &mut Text| {
+        let mut chapter = Text::default();
+        let numbered = |id: &'static str, count: &mut usize, caption: &mut Text, chapter: &Text| {
             *count += 1;
-            let whole = Text::message(id, vec![("number", number(*count)), ("caption", caption.clone())]);
-            let bare = |whole: String| whole.trim_end_matches(['.', ' ']).to_owned();
-            *caption = if caption.is_empty() { name(bare(whole.render(language))) } else { whole };
+            // What has no name of its own is all that the chapter has.
+            let own = if caption.is_empty() { chapter } else { caption }.clone();
+            *caption = Text::message(id, vec![("number", number(*count)), ("caption", own)]);
         };
         for block in &mut self.blocks {
             match block {
                 Block::Heading(title) => {
                     parts += 1;
+                    chapter = title.clone();
                     *title = joined(". ", [number(parts), title.clone()]);
                 }
-                Block::Figure { caption, .. } => numbered("note-figure", &mut figures, caption),
+                Block::Figure { caption, .. } => numbered("note-figure", &mut figures, caption, &chapter),
                 Block::Table(Table { caption, .. }) | Block::Facts { caption, .. } => {
-                    numbered("note-table", &mut tables, caption);
+                    numbered("note-table", &mut tables, caption, &chapter);
                 }
                 _ => {}
             }
         }
     }
 
+    /// A text as paragraphs: an empty line divides them.
+    pub(super) fn paragraphs(&self, text: &Text) -> Vec<String> {
+        self.line(text).split("\n\n").map(|part| part.trim().to_owned()).collect()
+    }
+
+    /// The headings of the chapters, each with its number from 1.
+    pub(super) fn chapters(&self) -> impl Iterator<Item = (usize, &Text)> {
+        let heading = |block| if let &Block::Heading(ref title) = block { Some(title) } else { None };
+        self.blocks.iter().filter_map(heading).enumerate().map(|(index, title)| (index + 1, title))
+    }
+
     pub(super) fn grid(&self, table: &Table) -> Grid {
-        let (keys, groups) = table.printed();
+        let (keys, groups) = table.printed_with(self.digits);
         let columns: Vec<Printed> = keys.into_iter().chain(groups.into_iter().flatten()).collect();
         let head = |column: &Printed| {
             let parts = [column.head.clone(), unit(column.unit)];

@@ -11,31 +11,37 @@ use super::sheet::{self, Grid, NoteSheet};
 
 const STYLE: &str = "#set page(paper: \"a4\", margin: (left: 25mm, right: 15mm, y: 20mm), numbering: \"1\")
 #set text(font: (\"Libertinus Serif\", \"Liberation Serif\"), size: 11pt)
+#set math.equation(numbering: \"(1)\")
 #set heading(numbering: (..n) => if n.pos().len() == 1 { numbering(\"1.\", ..n) })
 #set table(stroke: 0.4pt, inset: 3pt)
 #show figure.where(kind: table): set figure.caption(position: top)
 ";
 
+/// A row of the cover that is to be filled in by hand.
+const RULE: &str = "#box(width: 60mm, line(length: 100%, stroke: 0.3pt))";
+
 pub(super) fn write(sheet: &NoteSheet<'_>) -> String {
     let line = |text: &Text| rich(&sheet.line(text));
-    let (language, title) = (sheet.language.code, rich(sheet.title));
-    let mut text = format!("{STYLE}#set text(lang: \"{language}\")\n#align(center + horizon)[\n");
+    let language = sheet.language.code;
+    let mut text = format!("{STYLE}#set text(lang: \"{language}\")\n#align(center)[\n");
+    for (what, row) in sheet.cover.rows() {
+        let what = what.map_or_else(String::new, |what| line(what) + ": ");
+        let _ = writeln!(text, "  {what}{}\n\n  #v(1fr)\n", row.map_or_else(|| RULE.to_owned(), line));
+    }
     let _ = writeln!(
         text,
-        "  #text(16pt)[{}]\n\n  #text(20pt, weight: \"bold\")[{title}]\n]",
-        line(&text!("note-title"))
+        "]\n#pagebreak()\n\n#outline(title: [{}])\n#pagebreak()\n",
+        line(&text!("note-contents"))
     );
-    for (what, who) in &sheet.author {
-        let _ = writeln!(text, "#align(right)[{}: {}]", line(what), rich(who));
-    }
-    text.push_str("#pagebreak()\n\n");
     for block in &sheet.blocks {
         let _ = match block {
             Block::Title(_) => Ok(()),
             Block::Heading(title) => writeln!(text, "= {}\n", line(title)),
             Block::Subheading(title) => writeln!(text, "== {}\n", line(title)),
-            Block::Paragraph(words) => writeln!(text, "{}\n", line(words)),
-            Block::Equation(terms) => writeln!(text, "#h(8mm)${}$\n", equation(sheet, terms)),
+            Block::Paragraph(words) => {
+                sheet.paragraphs(words).iter().try_for_each(|words| writeln!(text, "{}\n", rich(words)))
+            }
+            Block::Equation(terms) => writeln!(text, "$ {} $\n", equation(sheet, terms)),
             // Paper does not move.
             Block::Figure { frames, size, caption } => {
                 let first = &frames[..1.min(frames.len())];

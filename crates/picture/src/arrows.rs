@@ -12,7 +12,7 @@ use assur_force::LoadState;
 use assur_group::plane::{length, minus, plus, scaled};
 use assur_kinematics::Position;
 use assur_mechanism::{GROUND, LinkId};
-use assur_words::{Text, name, quantity, text};
+use assur_words::{Text, joined, name, quantity, text};
 
 use crate::acting::Acting;
 use crate::{Arrows, Look, Picture, Results, ViewPart, plots};
@@ -116,6 +116,11 @@ impl Shown {
         let names: HashSet<Text> = all().filter(is_seen).map(|arrow| arrow.name.clone()).collect();
         own.retain(|arrow| names.contains(&arrow.name));
         Self { pose, arrows: own, scales, bounds, size }
+    }
+
+    /// All vectors.
+    pub(crate) fn all(&self) -> &[Arrow] {
+        &self.arrows
     }
 
     /// The vectors with their names.
@@ -226,7 +231,8 @@ fn rates(results: &Results, pose: &Position, state: &LoadState, kind: Kind) -> V
             let vector = plus(scaled(speed * speed, motion.pf2), scaled(acceleration, motion.pf1));
             (vector, (Stroke::Dashed, Ink::Acceleration))
         };
-        let name = name(format!("{}_{{{}}}", SYMBOLS[kind as usize], point.name));
+        let parts = [name(SYMBOLS[kind as usize]), name("_{"), Text::from(&point.name), name("}")];
+        let name = joined("", parts);
         Arrow { at: motion.pf0, kind, vector, name, told: Text::default(), style }
     };
     moving.map(arrow).collect()

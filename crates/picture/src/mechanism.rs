@@ -33,9 +33,9 @@ pub fn figure(results: &Results, look: &Look<'_>, marked: &[usize]) -> Figure {
         None => items.extend(broken(results, marked, position)),
     }
     let at = results.place(look.position);
-    let title = match results.linkage.mechanism.title.as_str() {
-        "" => at,
-        title => joined(": ", [name(title.to_owned()), at]),
+    let title = match &results.linkage.mechanism.title {
+        title if title.is_empty() => at,
+        title => joined(": ", [title.into(), at]),
     };
     let mut legend = shown.as_ref().map_or_else(Vec::new, |shown| shown.legend(results));
     legend.extend(links(&drawing));

@@ -13,12 +13,14 @@ mod inertia;
 mod input;
 mod joints;
 mod known;
+mod labels;
 mod limits;
 mod linkage;
 mod links;
 mod loads;
 mod mistakes;
 mod motion;
+mod note;
 mod numbers;
 mod over_time;
 mod reading;
@@ -46,7 +48,8 @@ use over_time::Timing;
 use walk::Section;
 
 pub use error::{SceneError, SceneErrors};
-pub use reading::{Note, Reading, SceneNumber};
+pub use note::{Chapter, Note};
+pub use reading::{Reading, SceneNumber};
 pub use sheet::{SHEET_FIELDS, Sheet, SheetField, SheetFormat, SheetPositions};
 pub use text::nearest;
 pub use units::{Dimension, LEAST, Unit, UnitError, UnitFault, quantity};
@@ -108,15 +111,11 @@ pub fn fault_at(file_name: &str, text: &str, key: &Key, message: Text) -> Option
 /// Builds the mechanism from parsed TOML. If faults were noted, the mechanism must not be used.
 fn scene(root: &Section<'_>) -> (Mechanism, Note) {
     if limits::exceeded(root) {
-        return (Mechanism::default(), wishes::read(root, None));
+        return (Mechanism::default(), note::read(root, None));
     }
-    let title = root.get("title").and_then(|entry| {
-        let title = entry.line()?;
-        entry.faults.check_name(&entry.span, &title);
-        Some(title)
-    });
-    let title = title.unwrap_or_default();
+    let title = root.title();
     let (mut linkage, firsts) = links::read(root);
+    labels::of_points(root, &mut linkage);
     links::read_slides(root, &mut linkage, &firsts);
     // A point with a fault is at the origin until then.
     if root.faults.is_empty() {
@@ -133,7 +132,7 @@ fn scene(root: &Section<'_>) -> (Mechanism, Note) {
     };
     let motion = motion::read(root, &context);
     inertia::refuse_over_coordinate(root, &context);
-    let note = wishes::read(root, input.as_ref().map(|input| input.positions));
+    let note = note::read(root, input.as_ref().map(|input| input.positions));
     let mechanism = Mechanism {
         title,
         assembly: wishes::assembly(root, &linkage),

@@ -16,8 +16,11 @@ pub(crate) fn read(root: &Section<'_>) -> (SceneLinks, Vec<Option<PointId>>) {
     let mut linkage = SceneLinks::default();
     linkage.add_link(massless(Name::ground()));
     let mut firsts = vec![None];
-    if let Some(points) = root.inner("ground").and_then(|ground| ground.get("points")) {
-        firsts[GROUND] = add_points(&mut linkage, &points, GROUND);
+    if let Some(ground) = root.inner("ground") {
+        linkage.links[GROUND].name = ground.labelled(Name::ground());
+        if let Some(points) = ground.get("points") {
+            firsts[GROUND] = add_points(&mut linkage, &points, GROUND);
+        }
     }
     let entry = root.get("link");
     let links =
@@ -71,6 +74,7 @@ fn add_link<'a>(
     let id = linkage.add_link(massless(entry.name.as_str().into()));
     firsts.push(None);
     let section = entry.section(reference::table("[link.NAME]"))?;
+    linkage.links[id].name = section.labelled(entry.name.as_str().into());
     if let Some(points) = section.need("points") {
         firsts[id] = add_points(linkage, &points, id);
     }

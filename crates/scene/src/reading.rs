@@ -9,25 +9,8 @@ use assur_mechanism::{Key, Mechanism, Step};
 use toml::Spanned;
 use toml::de::{DeArray, DeTable, DeValue};
 
-use crate::sheet::Sheet;
+use crate::note::Note;
 use crate::units::{self, Dimension};
-
-/// What a scene says about its explanatory note.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Note {
-    /// Who wrote it.
-    pub author: Option<String>,
-    /// The group of the author.
-    pub group: Option<String>,
-    /// The variant of the task.
-    pub variant: Option<String>,
-    /// Its language: `en`, `uk` or `ru`.
-    pub language: &'static str,
-    /// Numbers of the positions that are drawn and worked out; empty: chosen by the program.
-    pub positions: Vec<usize>,
-    /// What it says about its drawing sheet.
-    pub sheet: Sheet,
-}
 
 /// A scene that was read.
 #[derive(Debug)]

@@ -159,7 +159,7 @@ impl<'a> Section<'a> {
         self.faults.tell(|told| told.slots(self.table, "", sign, &Arc::new(slot)));
     }
 
-    /// Its key `name`, or else the default name; `taken`: the identity of what is said of a name that something else has.
+    /// Its key `name`, or else the default name, with its labels; `taken`: the identity of what is said of a name that something else has.
     pub(crate) fn name(
         &self,
         default: impl FnOnce() -> Text,
@@ -175,7 +175,7 @@ impl<'a> Section<'a> {
             let at = entry.map_or(self.span.clone(), |entry| entry.span);
             self.faults.add(at, text!(message, name = shown(&name)), text!("scene-own-name"));
         }
-        name
+        self.labelled(name)
     }
 
     /// Notes those of some keys that are there, though they have no effect; `message`: its identity.

@@ -8,8 +8,8 @@ use crate::context::Context;
 use crate::linkage::{SceneLinks, pair};
 use crate::over_time::Timing;
 use crate::text::{row, shown, such_as};
+use crate::units::Dimension;
 use crate::walk::{Entry, Section};
-use crate::{reading::Note, sheet, units::Dimension};
 
 /// Reads `[assembly]`: rough positions of points.
 pub(crate) fn assembly(root: &Section<'_>, linkage: &SceneLinks) -> Vec<(PointId, [f64; 2])> {
@@ -92,34 +92,4 @@ pub(crate) fn pair_id(entry: &Entry<'_>, linkage: &SceneLinks) -> Option<PairId>
             SceneLinks::known(entry, ("pair", name), None, pins.chain(slides))
         }
     }
-}
-
-/// Languages of the note: the word in the scene.
-const LANGUAGES: [(&str, &str); 3] = [("en", "en"), ("uk", "uk"), ("ru", "ru")];
-
-/// Most positions that a note draws and works out.
-const MOST_POSITIONS: usize = 12;
-
-/// Reads `[note]`; `positions` is the number of positions of the scene, where it is known.
-pub(crate) fn read(root: &Section<'_>, positions: Option<usize>) -> Note {
-    let sheet = sheet::read(root, positions);
-    let mut note = Note { author: None, group: None, variant: None, language: "en", positions: Vec::new(), sheet };
-    let Some(section) = root.inner("note") else { return note };
-    let line = |key: &str| section.get(key).and_then(|entry| entry.line());
-    (note.author, note.group, note.variant) = (line("author"), line("group"), line("variant"));
-    if let Some(language) = section.get("language").and_then(|entry| entry.choice(&LANGUAGES)) {
-        note.language = language;
-    }
-    if let Some(entry) = section.get("positions") {
-        let listed = entry.list(text!("scene-list-of-positions"));
-        if listed.len() > MOST_POSITIONS {
-            entry.fault(
-                text!("scene-many-positions-of-note", most = MOST_POSITIONS),
-                text!("scene-here-are", count = listed.len()),
-            );
-        }
-        let most = positions.unwrap_or(usize::MAX).saturating_sub(1);
-        note.positions = listed.iter().filter_map(|entry| entry.count(0, most)).collect();
-    }
-    note
 }

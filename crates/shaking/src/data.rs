@@ -2,7 +2,7 @@
 
 use assur_force::{LoadError, LoadFault};
 use assur_kinematics::PositionError;
-use assur_mechanism::{CoordinateKind, Key, LinkId, Mechanism, Named};
+use assur_mechanism::{CoordinateKind, Key, LinkId, Mechanism, Name, Named};
 use assur_words::{Describe, Text, text};
 use serde::Serialize;
 
@@ -12,7 +12,7 @@ pub struct Shaking {
     /// Version of the format.
     pub format: u32,
     /// Title of the scene.
-    pub title: String,
+    pub title: Name,
     /// Whether coordinates are angles, rad; otherwise m, or s over time.
     #[serde(rename = "angular")]
     pub kind: CoordinateKind,

@@ -49,7 +49,10 @@ impl Drawn {
             Content::Figure(figure) => figure,
         };
         let mut sizes: Vec<Size> = Vec::new();
-        let mut width = self.least.max(LEAST);
+        // A heading has two lines.
+        let heading = |panel: &Panel| 0.6 * text_width(&panel.title.render(language), Style::SHEET.em) + BESIDE;
+        let headings = figure.panels.iter().map(heading).fold(LEAST, f64::max);
+        let mut width = self.least.max(headings);
         while width <= MOST {
             for page in pages(figure, width) {
                 let own = Size { size: size(figure, page, Style::SHEET, language), page: Some(page) };

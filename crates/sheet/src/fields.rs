@@ -24,7 +24,7 @@ pub(crate) struct Source<'a> {
 const MECHANISM: (f64, f64) = (150.0, 4.0);
 const PLOTS: (f64, f64) = (120.0, 2.5);
 const PLAN: (f64, f64) = (70.0, 1.0);
-const STRUCTURE: (f64, f64) = (120.0, 1.0);
+const STRUCTURE: (f64, f64) = (120.0, 2.0);
 
 impl Source<'_> {
     /// The blocks of all fields that are wanted, in their order.
@@ -116,8 +116,7 @@ impl Source<'_> {
             let plans = self.found.plans.at(position);
             let Ok(sheet) = &plans.sheet else { continue };
             for (polygon, (plan, (of, links))) in sheet.polygons.iter().zip(&bodies).enumerate() {
-                let look = Look { polygon, ..self.look(position) };
-                let drawn = plans::figure(self.results, &look, ViewPart::Forces);
+                let drawn = plans::polygon(self.results, position, polygon, links);
                 if drawn.panels.is_empty() {
                     continue;
                 }
@@ -153,7 +152,7 @@ impl Source<'_> {
         /// Rows that a sheet has.
         const MOST: usize = 24;
         let facts = topic::summary(&self.found.analysis, &self.results.linkage);
-        let line = |text: &Text| text.render(self.language).replace('`', "");
+        let line = |text: &Text| text.render(self.language).replace('`', "").replace("->", "→");
         let rows: Vec<_> = facts
             .iter()
             .map(|fact| [line(&fact.what()), line(&fact.with_unit())])

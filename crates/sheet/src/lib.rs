@@ -129,6 +129,7 @@ pub fn sheet(
     note: &Note,
     language: &Language,
 ) -> Result<Vec<Page>, Text> {
+    let language = &language.with_digits(note.digits);
     let found = results.found.as_deref().ok_or_else(|| text!("sheet-no-results"))?;
     let wanted = if note.sheet.plans.is_empty() { &note.positions } else { &note.sheet.plans };
     let drawn = Source { results, found, note, language, plans: results.chosen(wanted) }.blocks();
@@ -152,7 +153,8 @@ pub fn sheet(
     let areas = [frame, standard.title(frame)];
     let sheets = divided(&blocks, areas)?;
     let count = sheets.len();
-    let title = results.linkage.mechanism.title.as_str();
+    let title = Text::from(&results.linkage.mechanism.title).render(language);
+    let title = title.as_str();
     let page = |(number, (first, placed)): (usize, &(usize, Vec<Placed>))| {
         let filling = Filling { title, note, language, sheet: [number + 1, count] };
         let elements = title::elements(standard, format::size(format), &filling);

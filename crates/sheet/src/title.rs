@@ -100,14 +100,14 @@ fn halves(words: &str) -> Vec<&str> {
 
 fn iso(block: &mut Block, filling: &Filling<'_>) {
     let (note, language) = (filling.note, filling.language);
-    let of = |text: &Option<String>| text.clone().unwrap_or_default();
+    let of = |text: &Option<Text>| text.as_ref().map(|text| text.render(language)).unwrap_or_default();
     let [sheet, sheets] = filling.sheet;
     let rows = [
-        ([0.0, 0.0, 45.0, 9.0], text!("sheet-department"), String::new()),
-        ([45.0, 0.0, 90.0, 9.0], text!("sheet-technical-reference"), String::new()),
+        ([0.0, 0.0, 45.0, 9.0], text!("sheet-department"), of(&note.department)),
+        ([45.0, 0.0, 90.0, 9.0], text!("sheet-technical-reference"), of(&note.supervisor)),
         ([90.0, 0.0, 140.0, 9.0], text!("sheet-creator"), of(&note.author)),
         ([140.0, 0.0, 180.0, 9.0], text!("sheet-approval"), String::new()),
-        ([0.0, 9.0, 45.0, 36.0], text!("sheet-owner"), of(&note.group)),
+        ([0.0, 9.0, 45.0, 36.0], text!("sheet-owner"), owner(note, language)),
         ([45.0, 9.0, 120.0, 18.0], text!("sheet-document-type"), text!("sheet-drawing").render(language)),
         ([45.0, 18.0, 120.0, 36.0], text!("sheet-title"), filling.title.to_owned()),
         ([120.0, 9.0, 180.0, 18.0], text!("sheet-status"), String::new()),
@@ -126,7 +126,7 @@ fn iso(block: &mut Block, filling: &Filling<'_>) {
 fn gost(block: &mut Block, filling: &Filling<'_>) {
     let (note, language) = (filling.note, filling.language);
     let (thick, fine) = (Style::SHEET.thick, Style::SHEET.fine);
-    let of = |text: &Option<String>| text.clone().unwrap_or_default();
+    let of = |text: &Option<Text>| text.as_ref().map(|text| text.render(language)).unwrap_or_default();
     let told = |text: Text| text.render(language);
     // Changes and signatures at the left.
     for row in 1..11 {
@@ -149,7 +149,7 @@ fn gost(block: &mut Block, filling: &Filling<'_>) {
     }
     let signed = [
         (text!("sheet-made"), of(&note.author)),
-        (text!("sheet-checked"), String::new()),
+        (text!("sheet-checked"), of(&note.supervisor)),
         (text!("sheet-technical-control"), String::new()),
         (Text::default(), String::new()),
         (text!("sheet-norm-control"), String::new()),
@@ -189,5 +189,11 @@ fn gost(block: &mut Block, filling: &Filling<'_>) {
     let number = |what: Text, number: usize| format!("{} {number}", told(what));
     block.cell([135.0, 35.0, 155.0, 40.0], &number(text!("sheet-sheet"), sheet), SMALL, Anchor::Start);
     block.cell([155.0, 35.0, 185.0, 40.0], &number(text!("sheet-sheets"), sheets), SMALL, Anchor::Start);
-    block.cell([135.0, 40.0, 185.0, 55.0], &of(&note.group), large, Anchor::Middle);
+    block.cell([135.0, 40.0, 185.0, 55.0], &owner(note, language), large, Anchor::Middle);
+}
+
+/// The university, or the department, and the group of the author.
+fn owner(note: &Note, language: &Language) -> String {
+    let house = note.university.as_ref().or(note.department.as_ref());
+    assur_words::list(house.into_iter().chain(&note.group).cloned()).render(language)
 }

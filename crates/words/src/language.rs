@@ -1,13 +1,13 @@
 //! Texts in a language.
 
 use std::fmt::{self, Display};
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 use fluent_bundle::{FluentArgs, FluentResource, FluentValue, concurrent::FluentBundle};
 use serde::{Serialize, Serializer};
 use unic_langid::LanguageIdentifier;
 
-use crate::{CoordinateKind, Text, text::Content};
+use crate::{CoordinateKind, Text, text::Content, trimmed};
 
 /// The codes of the languages, English first.
 pub const LANGUAGES: [&str; 3] = ["en", "uk", "ru"];
@@ -16,7 +16,11 @@ pub const LANGUAGES: [&str; 3] = ["en", "uk", "ru"];
 pub struct Language {
     /// Its code: one of [`LANGUAGES`].
     pub code: &'static str,
-    bundle: FluentBundle<FluentResource>,
+    bundle: Arc<FluentBundle<FluentResource>>,
+    /// Whether parts have their labels, as for a reader, and not the names by which they are found.
+    has_labels: bool,
+    /// Significant digits of results, where they are not to be as they come.
+    digits: Option<usize>,
 }
 
 impl fmt::Debug for Language {
@@ -39,6 +43,19 @@ impl Language {
         Self::find(LANGUAGES[0]).expect("English is the first of the languages")
     }
 
+    /// The same with so many significant digits of results.
+    #[must_use]
+    pub fn with_digits(&self, digits: usize) -> Self {
+        Self { bundle: Arc::clone(&self.bundle), digits: Some(digits), ..*self }
+    }
+
+    /// English with the names by which parts are found: what files have.
+    fn of_files() -> &'static Self {
+        static OF_FILES: OnceLock<Language> = OnceLock::new();
+        let english = Self::english();
+        OF_FILES.get_or_init(|| Self { bundle: Arc::clone(&english.bundle), has_labels: false, ..*english })
+    }
+
     /// Reads the texts; that they have no faults, and that no identity is there twice, is tested.
     fn read(code: &'static str) -> Self {
         let id: LanguageIdentifier = code.parse().unwrap_or_default();
@@ -48,7 +65,7 @@ impl Language {
             let read = FluentResource::try_new(resource.texts.to_owned());
             bundle.add_resource_overriding(read.unwrap_or_else(|(read, _)| read));
         }
-        Self { code, bundle }
+        Self { code, bundle: Arc::new(bundle), has_labels: true, digits: None }
     }
 
     fn is_english(&self) -> bool {
@@ -66,7 +83,14 @@ impl Language {
                 _ => self.render(text),
             },
             Content::Name(letters) => letters.clone().into_owned(),
-            Content::Number(digits) => self.number(digits),
+            Content::Labelled { name, labels } => {
+                let own = labels.iter().find(|(code, _)| self.has_labels && *code == self.code);
+                own.map_or_else(|| self.render(name), |(_, label)| label.clone())
+            }
+            Content::Number { digits, exact } => match exact.zip(self.digits) {
+                Some((bits, digits)) => self.number(&trimmed(f64::from_bits(bits), digits)),
+                None => self.number(digits),
+            },
             Content::Unit(symbol) => self.unit(symbol),
             Content::Count(number) => number.to_string(),
             Content::Joined { between, parts } => {
@@ -190,7 +214,7 @@ macro_rules! resources {
 
 impl Display for Text {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(&Language::english().render(self))
+        f.pad(&Language::of_files().render(self))
     }
 }
 

@@ -5,15 +5,17 @@
 //! translated by its English words.
 
 mod ascii;
+mod digits;
 mod language;
 mod text;
 
 pub use ascii::{latin, to_ascii};
+pub use digits::{digits, trimmed};
 pub use inventory;
 pub use language::{LANGUAGES, Language, Resource};
 pub use text::{
-    CoordinateKind, Describe, Text, Told, coordinate, count, degrees, joined, list, millimeters, name,
-    number, ordinal, quantity, text_of, unit,
+    CoordinateKind, Describe, Text, Told, coordinate, count, degrees, exact, joined, labelled, list,
+    millimeters, name, number, ordinal, quantity, text_of, unit,
 };
 
 resources!();

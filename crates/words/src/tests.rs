@@ -2,7 +2,10 @@
 
 use fluent_bundle::FluentResource;
 
-use crate::{Describe, LANGUAGES, Language, Resource, Text, Told, count, list, name, number, quantity, unit};
+use crate::{
+    Describe, LANGUAGES, Language, Resource, Text, Told, count, exact, labelled, list, name, number,
+    quantity, unit,
+};
 
 fn in_all(text: &Text) -> [String; 3] {
     LANGUAGES.map(|code| text.render(Language::find(code).unwrap()))
@@ -24,6 +27,24 @@ fn a_unit_has_the_letters_of_its_language_and_a_name_stays() {
     assert_eq!(in_all(&name("m")), ["m"; 3]);
     assert_eq!(in_all(&list([count(2), name("rod")])), ["2, rod"; 3]);
     assert!(list([Text::default(), number("")]).is_empty() && !count(0).is_empty());
+}
+
+#[test]
+fn a_result_is_rounded_once_to_the_digits_of_a_language() {
+    let (value, uk) = (0.123_449_9, Language::find("uk").unwrap());
+    assert_eq!(exact(value, "0.12345").render(uk), "0,12345");
+    assert_eq!(exact(value, "0.12345").render(&uk.with_digits(4)), "0,1234");
+    assert_eq!(exact(-1.23456e9, "-1.23456e9").render(&uk.with_digits(4)), "−1,235·10⁹");
+    assert_eq!(number("0.12345").render(&uk.with_digits(4)), "0,12345");
+}
+
+#[test]
+fn a_label_is_for_readers_in_their_language_and_files_have_the_name() {
+    let crank = labelled(name("crank"), [("uk", "кривошип".to_owned()), ("en", "driver".to_owned())]);
+    let of = list([crank.clone(), name("A")]);
+    assert_eq!(in_all(&of), ["driver, A", "кривошип, A", "crank, A"]);
+    assert_eq!(of.to_string(), "crank, A");
+    assert_eq!(of.names(), ["crank", "A"]);
 }
 
 #[test]

@@ -4,7 +4,7 @@ use std::{borrow::Cow, fmt::Display, io};
 
 /// A text that a person reads, before it is put into a language.
 ///
-/// Its `Display` is English: so JSON has it, which is never translated.
+/// Its `Display` is English with the names by which parts are found: so JSON has it, which is never translated.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Text(pub(crate) Content);
 
@@ -14,8 +14,10 @@ pub(crate) enum Content {
     Message { id: &'static str, values: Vec<(&'static str, Text)> },
     /// The same letters in every language.
     Name(Cow<'static, str>),
-    /// Digits as English prints them.
-    Number(String),
+    /// What is found by its name, and what a reader calls it: by the code of a language.
+    Labelled { name: Box<Text>, labels: Vec<(&'static str, String)> },
+    /// Digits as English prints them; the bits of the number that was rounded to them, where it is known.
+    Number { digits: String, exact: Option<u64> },
     /// The symbol of a unit in English.
     Unit(Cow<'static, str>),
     /// How many there are of something: chooses the grammatical number.
@@ -50,7 +52,11 @@ impl Text {
             Content::Message { id, .. } => Some(id),
             Content::Short(text) => text.identity(),
             Content::Joined { parts, .. } => parts.iter().find_map(Self::identity),
-            Content::Name(_) | Content::Number(_) | Content::Unit(_) | Content::Count(_) => None,
+            Content::Name(_)
+            | Content::Labelled { .. }
+            | Content::Number { .. }
+            | Content::Unit(_)
+            | Content::Count(_) => None,
         }
     }
 
@@ -58,26 +64,27 @@ impl Text {
     pub fn is_empty(&self) -> bool {
         match &self.0 {
             Content::Name(letters) | Content::Unit(letters) => letters.is_empty(),
-            Content::Number(digits) => digits.is_empty(),
+            Content::Number { digits, .. } => digits.is_empty(),
             Content::Joined { parts, .. } => parts.iter().all(Self::is_empty),
-            Content::Short(text) => text.is_empty(),
+            Content::Short(text) | Content::Labelled { name: text, .. } => text.is_empty(),
             Content::Message { .. } | Content::Count(_) => false,
         }
     }
 
     /// Whether it is a number or a count and nothing else.
     pub fn is_number(&self) -> bool {
-        matches!(self.0, Content::Number(_) | Content::Count(_))
+        matches!(self.0, Content::Number { .. } | Content::Count(_))
     }
 
-    /// What stands in it with the same letters in every language: names, keys, paths, symbols.
+    /// What stands in it with the same letters in every language: names, not labels, keys, paths, symbols.
     pub fn names(&self) -> Vec<&str> {
         match &self.0 {
             Content::Name(letters) => vec![letters],
+            Content::Labelled { name, .. } => name.names(),
             Content::Message { values, .. } => values.iter().flat_map(|(_, value)| value.names()).collect(),
             Content::Short(text) => text.names(),
             Content::Joined { parts, .. } => parts.iter().flat_map(Self::names).collect(),
-            Content::Number(_) | Content::Unit(_) | Content::Count(_) => Vec::new(),
+            Content::Number { .. } | Content::Unit(_) | Content::Count(_) => Vec::new(),
         }
     }
 
@@ -113,9 +120,21 @@ pub fn name(letters: impl Into<Cow<'static, str>>) -> Text {
     Text(Content::Name(letters.into()))
 }
 
+/// What is found by a name, and what a reader calls it, by the code of a language; in a language that is left out its name there. Files
+/// have the name in every language.
+pub fn labelled(name: impl Into<Text>, labels: impl IntoIterator<Item = (&'static str, String)>) -> Text {
+    Text(Content::Labelled { name: Box::new(name.into()), labels: labels.into_iter().collect() })
+}
+
 /// A number by its digits as English prints them: `-1.5e-7`. A language has its own decimal sign, minus and powers of ten.
 pub fn number(digits: impl Display) -> Text {
-    Text(Content::Number(digits.to_string()))
+    Text(Content::Number { digits: digits.to_string(), exact: None })
+}
+
+/// A number by its digits, as [`number`], with what was rounded to them: a [`Language`](crate::Language) with digits of its own rounds it
+/// anew.
+pub fn exact(value: f64, digits: impl Display) -> Text {
+    Text(Content::Number { digits: digits.to_string(), exact: Some(value.to_bits()) })
 }
 
 /// The number of what results count from 0 and readers count from 1: of a mode of a group, a circuit, a branch.

@@ -9,7 +9,7 @@ impl Work<'_> {
     /// Writes the first section: signs, symbols, assumptions.
     pub(crate) fn conventions(&mut self, place: PositionOrSample, forces: bool) {
         let title = &self.linkage.mechanism.title;
-        let title = if title.is_empty() { text!("worksheet-working") } else { name(title.clone()) };
+        let title = if title.is_empty() { text!("worksheet-working") } else { title.into() };
         let of = match place {
             PositionOrSample::Position(index) => text!("working-at-position", position = index),
             PositionOrSample::Sample(index) => {

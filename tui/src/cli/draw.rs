@@ -86,7 +86,7 @@ pub(crate) fn report(args: &ReportArgs, language: Option<&str>, style: Style) ->
     let session = scene::open(path, style)?;
     let mut note = session.note.clone();
     if let Some(language) = language.and_then(Language::find) {
-        note.language = language.code;
+        note.language = Some(language.code);
     }
     let (results, verdict) = analyzed(&session, &options, true, style)?;
     let status = verdict.proved();

@@ -64,7 +64,8 @@ fn working(session: &Session, options: &Options, index: usize, style: Style) -> 
     }
     match working::of_position(&study, index) {
         Ok(working) => {
-            output::print(&style.text(&working.text(style.language)))?;
+            let note = text!("cli-working-in-note", position = number(index)).render(style.language);
+            output::print(&style.text(&(working.text(style.language) + "\n" + &note + "\n")))?;
             Ok(verdict.status())
         }
         Err(error @ (WorkingError::Position(_) | WorkingError::Load { .. })) => {

@@ -34,7 +34,7 @@ pub(crate) fn sheet(args: &SheetArgs, language: Option<&str>, style: Style) -> R
     let session = scene::open(path, style)?;
     let (results, verdict) = analyzed(&session, &options, false, style)?;
     let note = &session.note;
-    let language = language.or(Some(note.language)).and_then(Language::find).unwrap_or(style.language);
+    let language = language.or(note.language).and_then(Language::find).unwrap_or(style.language);
     let pages = assur_sheet::sheet(&results, note, language).map_err(Fault::Other)?;
     let files = form.write(&results.linkage.mechanism.title, &pages).map_err(Fault::Other)?;
     let outputs = (0..files.len()).map(|number| Output::of(Some(&numbered(&args.output, number)), path));

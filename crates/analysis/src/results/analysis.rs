@@ -18,7 +18,7 @@ use crate::{friction::FrictionCycle, several::Several};
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Analysis {
     /// Title of the scene; may be empty.
-    pub title: String,
+    pub title: Name,
     /// The input link and its coordinate.
     pub input: InputReport,
     /// Mobility, groups, formula.

@@ -2,7 +2,7 @@
 
 use assur_analysis::results::{Column, Owner, Quantity, Schema};
 use assur_mechanism::CoordinateKind;
-use assur_words::{Text, number, quantity};
+use assur_words::{Text, exact};
 
 use super::of;
 use crate::number::short;
@@ -137,7 +137,10 @@ impl Unit {
 
     /// A number in SI with this unit, with six significant digits.
     pub fn show(self, value: f64) -> Text {
-        quantity(short(value * self.factor), self.name)
+        match self.name {
+            "" => self.number(value),
+            symbol => assur_words::joined(" ", [self.number(value), assur_words::unit(symbol)]),
+        }
     }
 
     /// Several numbers in SI, then the unit once.
@@ -148,7 +151,8 @@ impl Unit {
 
     /// The number alone.
     pub fn number(self, value: f64) -> Text {
-        number(short(value * self.factor))
+        let value = value * self.factor;
+        exact(value, short(value))
     }
 }
 

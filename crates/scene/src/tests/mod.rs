@@ -2,6 +2,7 @@
 
 mod display;
 mod faults;
+mod labels;
 mod limits;
 mod over_time;
 mod robust;

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use assur_mechanism::Name;
 use assur_report::csv::{CsvError, finished};
 use assur_words::{Describe, Text, joined, list, name, number, text};
 use serde::{Serialize, Serializer};
@@ -10,7 +11,7 @@ use serde::{Serialize, Serializer};
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
 pub struct ChartData {
     /// Title of the scene.
-    pub title: String,
+    pub title: Name,
     /// One for each method and setting, in the order of the stages.
     pub rows: Vec<Measurement>,
     /// By stage: how its reference was obtained.

@@ -14,7 +14,7 @@ const FIGURE: [f64; 2] = [160.0, 100.0];
 impl ChartData {
     /// Every stage under its heading.
     pub fn tell(&self, page: &mut Document) {
-        page.title(text!("chart-title", title = name(self.title.clone())));
+        page.title(text!("chart-title", title = &self.title));
         if !self.complete {
             page.paragraph(text!("chart-stopped"));
         }
@@ -71,7 +71,7 @@ pub fn figure(data: &ChartData) -> Figure {
         Key { sample: Sample::Sign(Sign::Dot, Ink::First), text: text!("chart-point") },
         Key { sample: Sample::Line(Stroke::Chain, Ink::Text), text: FRONT },
     ];
-    Figure { title: name(data.title.clone()), columns: if panels.len() > 2 { 2 } else { 1 }, panels, legend }
+    Figure { title: Text::from(&data.title), columns: if panels.len() > 2 { 2 } else { 1 }, panels, legend }
 }
 
 /// The methods of a stage that have a time and an error; `None` if there are none.

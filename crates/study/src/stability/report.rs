@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 
 use assur_kinematics::{CompileError, Linkage};
-use assur_mechanism::{CoordinateKind, Mechanism};
+use assur_mechanism::{CoordinateKind, Mechanism, Name};
 use assur_report::csv::{CsvError, finished};
 use assur_words::Text;
 use serde::Serialize;
@@ -19,7 +19,7 @@ use super::walk::Walk;
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Stability {
     /// Title of the scene.
-    pub title: String,
+    pub title: Name,
     /// Whether coordinates are angles, rad; otherwise m, or s over time.
     #[serde(rename = "angular")]
     pub kind: CoordinateKind,

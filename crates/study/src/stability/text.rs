@@ -47,7 +47,7 @@ impl Walk<'_> {
 impl Stability {
     /// Figures of the mechanism, a row for each approach and method, and conclusions.
     pub fn tell(&self, page: &mut Document) {
-        page.title(name(self.title.clone()));
+        page.scene(&self.title);
         let coordinate = Unit::coordinate(self.kind);
         let nearest = Table::each(text!("stability-nearest"), &self.groups)
             .column(text!("head-group"), |group| group.place.clone())

@@ -33,7 +33,9 @@ fn stands(state: &State, key: &str) -> bool {
 fn kind(group: usize) -> &'static str {
     let shaper = assur_scene::read("shaper.toml", assur_fixtures::scene("shaper"));
     let structure = shaper.ok().and_then(|mechanism| decompose(&mechanism).ok());
-    structure.and_then(|structure| structure.groups.get(group).map(|group| group.plugin.name)).unwrap_or_default()
+    structure
+        .and_then(|structure| structure.groups.get(group).map(|group| group.plugin.name))
+        .unwrap_or_default()
 }
 
 /// Begins the tour.

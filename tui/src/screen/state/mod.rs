@@ -149,7 +149,7 @@ impl State {
 
     /// The language that is asked for, or else that of the scene's note; on a screen of ASCII, English.
     pub(crate) fn language(&self) -> &'static Language {
-        let of_scene = || Language::find(self.scene.as_ref()?.session.note.language);
+        let of_scene = || Language::find(self.scene.as_ref()?.session.note.language?);
         let asked = Language::find(self.look.language).or_else(of_scene);
         asked.filter(|_| !self.look.ascii).unwrap_or_else(Language::english)
     }

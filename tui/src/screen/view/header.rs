@@ -53,7 +53,7 @@ fn title(state: &State, scene: &Scene) -> Text {
     let own = || name(scene.session.source.short_name());
     match state.second() {
         Some(compared) => text!("header-compared", own = own(), other = &compared.name),
-        None => name(scene.linkage.mechanism.title.clone()),
+        None => Text::from(&scene.linkage.mechanism.title),
     }
 }
 

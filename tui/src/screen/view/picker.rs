@@ -56,7 +56,8 @@ fn preview(pen: &mut Pen<'_>, choice: &Choice, area: Rect) {
     match pen.state.previews.get(choice.name.as_str()) {
         Some(Ok(scene)) => {
             let [head, drawing] = Layout::vertical([Constraint::Length(2), Constraint::Min(0)]).areas(area);
-            pen.put(head, 1, 0, &scene.linkage.mechanism.title, Role::Header);
+            let title = pen.state.told(&scene.linkage.mechanism.title);
+            pen.put(head, 1, 0, &title, Role::Header);
             pen.paint(&mechanism::still(scene), drawing);
         }
         Some(Err(text)) => {

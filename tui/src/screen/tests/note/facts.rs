@@ -63,6 +63,9 @@ fn text_and_note_tell_every_fact_with_the_same_number() {
                     text.lines().any(told) || text.contains(&format!("{what}: {words}")),
                     "{scene} {code}: {what} {value} {unit}"
                 );
+                // The note has digits of its own.
+                let of_note = language.with_digits(assur_scene::Note::default().digits);
+                let value = fact.value().render(&of_note);
                 let cell = |text: &str| format!(">{}</td>", escaped(&text.replace("->", "→")));
                 let row =
                     html.split("<tr>").find(|row| row.contains(&cell(&what)) && row.contains(&cell(&value)));

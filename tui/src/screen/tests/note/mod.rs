@@ -3,6 +3,7 @@
 mod facts;
 mod figures;
 mod numbers;
+mod teacher;
 
 use std::collections::BTreeSet;
 
@@ -15,8 +16,9 @@ use assur_scene::Note;
 use crate::session::{Session, Source};
 
 fn note(language: &'static str) -> Note {
-    let text = |text: &str| Some(text.to_owned());
-    Note { author: text("A. <B>"), group: None, variant: text("7"), language, positions: vec![3, 27] }
+    let text = |text: &'static str| Some(assur_words::name(text));
+    let language = Some(language);
+    Note { author: text("A. <B>"), variant: text("7"), language, positions: vec![3, 27], ..Note::default() }
 }
 
 /// A scene with its analysis done.
