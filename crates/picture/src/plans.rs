@@ -153,7 +153,8 @@ pub fn polygon(results: &Results, position: usize, polygon: usize, links: &[Link
     let symbol = |item: &PlanVector| {
         let vector = [item.end[0] - item.start[0], item.end[1] - item.start[1]];
         let apart = |own: &&arrows::Arrow| length([own.vector, vector]) <= SAME * item.size;
-        let forces = acting.iter().filter(|own| own.kind == arrows::Kind::Force);
+        let is_outer = item.kind != VectorKind::Inner;
+        let forces = acting.iter().filter(|own| is_outer && own.kind == arrows::Kind::Force);
         let same = forces.filter(apart).min_by_key(|own| own.told != item.name);
         same.map_or_else(|| item.name.clone(), |own| own.name.clone())
     };

@@ -1,6 +1,7 @@
 //! What a field draws: a figure of pictures, or a table.
 
 use assur_figure::{Anchor, Element, Figure, Frame, Ink, Page, Panel, Style, elements, size, text_width};
+use assur_pdf::text_width as exact_width;
 use assur_scene::SheetField;
 use assur_words::Language;
 
@@ -13,6 +14,8 @@ const UPRIGHT: f64 = 1.4;
 /// Height of a plot of several below each other beside its width, from flat to high, and least height, mm.
 const FLAT: [f64; 3] = [0.22, 0.34, 0.5];
 const LEAST_PLOT: f64 = 38.0;
+/// Room beside the heading of a plot, in which its factor stands, mm.
+const FACTOR: f64 = 48.0;
 /// Height of a row of a table, and space beside its texts, mm.
 const ROW: f64 = 8.0;
 const BESIDE: f64 = 1.5;
@@ -50,7 +53,10 @@ impl Drawn {
         };
         let mut sizes: Vec<Size> = Vec::new();
         // A heading has two lines.
-        let heading = |panel: &Panel| 0.6 * text_width(&panel.title.render(language), Style::SHEET.em) + BESIDE;
+        let heading = |panel: &Panel| {
+            let factor = if matches!(panel.frame, Frame::Axes { .. }) { FACTOR } else { 0.0 };
+            0.65 * text_width(&panel.title.render(language), Style::SHEET.em) + factor
+        };
         let headings = figure.panels.iter().map(heading).fold(LEAST, f64::max);
         let mut width = self.least.max(headings);
         while width <= MOST {
@@ -96,7 +102,7 @@ fn pages(figure: &Figure, width: f64) -> Vec<Page> {
 
 fn columns(rows: &[[String; 2]]) -> [f64; 2] {
     let widest = |column: usize| {
-        rows.iter().map(|row| text_width(&row[column], Style::SHEET.em)).fold(0.0, f64::max) + 2.0 * BESIDE
+        rows.iter().map(|row| exact_width(&row[column], Style::SHEET.em)).fold(0.0, f64::max) + 2.0 * BESIDE
     };
     [widest(0), widest(1)]
 }

@@ -1,6 +1,7 @@
 //! Frame and title block.
 
-use assur_figure::{Anchor, Element, Ink, Style, text_width};
+use assur_figure::{Anchor, Element, Ink, Style};
+use assur_pdf::text_width;
 use assur_scene::Note;
 use assur_words::{Language, Text, text};
 
@@ -57,7 +58,7 @@ impl Block {
     fn text(&mut self, [x, y]: [f64; 2], words: &str, size: f64, anchor: Anchor, room: f64) {
         let [left, top] = self.corner;
         let mut text = Element::text([left + x, top + y], words, size, anchor, Ink::Text);
-        text.narrowed(room - 2.0 * BESIDE);
+        text.narrowed(text_width(words, size), room - 2.0 * BESIDE);
         if !words.is_empty() {
             self.all.push(text);
         }
@@ -71,11 +72,13 @@ impl Block {
             Anchor::End => right - BESIDE,
         };
         let room = right - left;
-        // What would be less than half as wide stands in two lines.
-        let lines = if text_width(words, size) > 1.6 * room && bottom - top > 2.6 * size { halves(words) } else { vec![words] };
-        let first = 0.5 * (top + bottom) + 0.365 * size - 0.65 * size * (lines.len() - 1) as f64;
+        // What would be much narrower than it is stands in several lines.
+        let most = ((bottom - top) / (1.4 * size)).floor().max(1.0);
+        let count = (text_width(words, size) / (1.1 * room)).ceil().clamp(1.0, most);
+        let lines = divided(words, 1.15 * text_width(words, size) / count, size);
+        let first = 0.5 * (top + bottom) + 0.365 * size - 0.65 * size * lines.len().saturating_sub(1) as f64;
         for (row, line) in lines.into_iter().enumerate() {
-            self.text([x, first + 1.3 * size * row as f64], line, size, anchor, room);
+            self.text([x, first + 1.3 * size * row as f64], &line, size, anchor, room);
         }
     }
 
@@ -88,14 +91,19 @@ impl Block {
     }
 }
 
-/// A text in two lines, divided at the space nearest to its middle.
-fn halves(words: &str) -> Vec<&str> {
-    let middle = words.len() / 2;
-    let spaces = words.match_indices(' ').map(|(at, _)| at);
-    match spaces.min_by_key(|at| at.abs_diff(middle)) {
-        Some(at) => vec![&words[..at], &words[at + 1..]],
-        None => vec![words],
+/// A text in lines of about this width, divided between its words.
+fn divided(words: &str, width: f64, size: f64) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for word in words.split(' ') {
+        match lines.last_mut() {
+            Some(line) if text_width(&format!("{line} {word}"), size) <= width => {
+                line.push(' ');
+                line.push_str(word);
+            }
+            _ => lines.push(word.to_owned()),
+        }
     }
+    lines
 }
 
 fn iso(block: &mut Block, filling: &Filling<'_>) {

@@ -14,6 +14,8 @@ pub(super) const BELOW: f64 = 2.0;
 const FREE: f64 = 0.06;
 /// Least distance of the numbers of an axis, mm: horizontal, vertical.
 const APART: [f64; 2] = [16.0, 8.0];
+/// Room of the factor of the vertical axis beside the heading, in text sizes.
+const FACTOR: f64 = 9.0;
 /// Least numbers of an axis.
 const LEAST_NUMBERS: usize = 3;
 
@@ -28,7 +30,8 @@ pub(super) fn elements(
     let below = if shows_axis { BELOW * print.style.row() } else { 0.0 };
     let vertical = widened(y);
     let (em, fine_width) = (print.style.em, print.style.fine);
-    let mut elements = heading(panel, room, print);
+    let told = if print.style.axes_to_scale && y.scale.is_some() { FACTOR * em } else { 0.0 };
+    let mut elements = heading(panel, Room { width: room.width - told, ..room }, print);
     let above = print.style.row() * elements.len().max(1) as f64;
     let free = room.height - above - below - BORDER;
     let (left, top) = (room.left + numbers + 0.5 * em, room.top + above);
