@@ -157,7 +157,12 @@ impl<'a> Sheet<'a> {
         let lines: Vec<&String> = lines.iter().filter(|line| !line.is_empty()).collect();
         for (row, line) in lines.iter().enumerate() {
             let [x, y] = paper([low[0], high[1]]);
-            drawing.text([x, y - Style::NOTE.row() * (lines.len() - row) as f64], EM, &flat(line), Layer::Titles);
+            drawing.text(
+                [x, y - Style::NOTE.row() * (lines.len() - row) as f64],
+                EM,
+                &flat(line),
+                Layer::Titles,
+            );
         }
         for (row, own) in self.scales.iter().enumerate() {
             let [x, y] = paper(low);

@@ -42,9 +42,11 @@ pub struct Style {
 
 impl Style {
     /// Of figures in a text.
-    pub const NOTE: Self = Self { em: EM, thick: 0.7, line: 0.35, fine: 0.18, axes_to_scale: false, least: [100.0, 80.0] };
+    pub const NOTE: Self =
+        Self { em: EM, thick: 0.7, line: 0.35, fine: 0.18, axes_to_scale: false, least: [100.0, 80.0] };
     /// Of a drawing sheet: lines of ISO 128, and a text whose capitals and subscripts are 3.5 mm high.
-    pub const SHEET: Self = Self { em: 5.0, thick: 0.8, line: 0.4, fine: 0.2, axes_to_scale: true, least: [30.0, 30.0] };
+    pub const SHEET: Self =
+        Self { em: 5.0, thick: 0.8, line: 0.4, fine: 0.2, axes_to_scale: true, least: [30.0, 30.0] };
 
     /// Height of a line of text, mm.
     pub(crate) fn row(&self) -> f64 {

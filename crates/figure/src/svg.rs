@@ -214,7 +214,12 @@ fn words(text: &str) -> String {
             _ => write!(markup, "<tspan dy=\"-{BELOW}\">{part}</tspan>"),
         };
         if !low.is_empty() {
-            let _ = write!(markup, "<tspan dy=\"{BELOW}\" font-size=\"{:.0}%\">{}</tspan>", 100.0 * LOW, escaped(low));
+            let _ = write!(
+                markup,
+                "<tspan dy=\"{BELOW}\" font-size=\"{:.0}%\">{}</tspan>",
+                100.0 * LOW,
+                escaped(low)
+            );
         }
     }
     markup

@@ -126,3 +126,6 @@ note-source-s = { "[" }S] Sychov, Vadimov. Design of important mechanisms in a c
 note-source-e = { "[" }E] Ladikov, Bychkov. Method of solving problems in the dynamics of mechanisms.
 note-source-d = { "[" }D] The equation of motion of a machine in differential form.
 note-source-l = { "[" }L] Vladimirov, Kuznetsov. Reactions in the pairs of a straight-line-enveloping mechanism by the method of longitudinal reactions.
+note-no-font = the font that is built in can't be read
+note-all-positions = The mechanism in positions over each other, { $place } in full
+note-see-all-positions = Its positions over the cycle lie over each other in figure { $figure }.

@@ -11,6 +11,7 @@ mod formula;
 mod html;
 mod markdown;
 mod parts;
+mod pdf;
 mod sheet;
 mod symbols;
 mod typst;
@@ -81,18 +82,8 @@ fn language(note: &Note) -> &'static Language {
 ///
 /// In words: as [`document`], or there are more positions than a note can show.
 pub fn write(results: &Results, note: &Note, form: Form, folder: &str) -> Result<Written, Text> {
-    let language = language(note);
-    let mechanism = &results.linkage.mechanism;
-    let (count, parts) = (results.positions(), mechanism.parts());
-    if count * parts > MOST_PARTS {
-        let [most, parts, count] = [MOST_PARTS / parts, parts, count].map(|number| name(number.to_string()));
-        return Err(text!("note-too-many", most, parts, count));
-    }
-    let positions = results.chosen(&note.positions);
-    let Document { blocks, .. } = document(results, note, &positions)?;
-    let cover = Cover::of(note, Text::from(&mechanism.title));
-    let language = &language.with_digits(note.digits);
-    let mut sheet = NoteSheet { cover, blocks, language, digits: note.digits };
+    let language = language(note).with_digits(note.digits);
+    let mut sheet = sheet(results, note, &language)?;
     // Typst numbers headings, figures and tables itself.
     if form != Form::Typst {
         sheet.number();
@@ -102,4 +93,30 @@ pub fn write(results: &Results, note: &Note, form: Form, folder: &str) -> Result
         Form::Markdown => markdown::write(&sheet, folder),
         Form::Typst => Written { text: typst::write(&sheet), figures: Vec::new() },
     })
+}
+
+/// The note of a scene whose analysis is done, as PDF.
+///
+/// # Errors
+///
+/// In words: as [`write`](fn@write).
+pub fn pdf(results: &Results, note: &Note) -> Result<Vec<u8>, Text> {
+    let language = language(note).with_digits(note.digits);
+    let mut sheet = sheet(results, note, &language)?;
+    sheet.number();
+    pdf::write(&sheet).ok_or_else(|| text!("note-no-font"))
+}
+
+/// What all forms write.
+fn sheet<'a>(results: &Results, note: &Note, language: &'a Language) -> Result<NoteSheet<'a>, Text> {
+    let mechanism = &results.linkage.mechanism;
+    let (count, parts) = (results.positions(), mechanism.parts());
+    if count * parts > MOST_PARTS {
+        let [most, parts, count] = [MOST_PARTS / parts, parts, count].map(|number| name(number.to_string()));
+        return Err(text!("note-too-many", most, parts, count));
+    }
+    let positions = results.chosen(&note.positions);
+    let Document { blocks, .. } = document(results, note, &positions)?;
+    let cover = Cover::of(note, Text::from(&mechanism.title));
+    Ok(NoteSheet { cover, blocks, language, digits: note.digits })
 }

@@ -26,7 +26,9 @@ const LINK: [f64; 2] = [165.0, 75.0];
 /// Page of the two drives, mm.
 const PLACES: [f64; 2] = [165.0, 90.0];
 /// Width of the assembly and height of a row of its panels, mm.
-const PANELS: [f64; 2] = [165.0, 78.0];
+const PANELS: [f64; 2] = [165.0, 85.0];
+/// Positions over each other.
+const OVER: usize = 12;
 
 pub(super) fn document(context: &Context<'_>) -> Result<Document, Text> {
     let mut page = Document::default();
@@ -123,6 +125,10 @@ fn task(context: &Context<'_>, page: &mut Document) {
     let frames: Vec<_> = frames.collect();
     let caption = text!("note-mechanism-moving", at = context.place(results.first_position()));
     show_frames(page, "note-see-mechanism", (frames, MECHANISM), caption);
+    let others: Vec<usize> = (0..OVER).map(|at| at * results.positions() / OVER).collect();
+    let over = on_paper(assembly::positions(results, &others, context.positions[0]));
+    let caption = text!("note-all-positions", place = context.place(context.positions[0]));
+    show(page, "note-see-all-positions", (over, MECHANISM), caption);
 }
 
 /// Mobility, pairs, groups, and the mechanism assembled group by group.

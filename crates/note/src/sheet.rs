@@ -34,7 +34,7 @@ impl NoteSheet<'_> {
         let numbered = |id: &'static str, count: &mut usize, caption: &mut Text, chapter: &Text| {
             *count += 1;
             // What has no name of its own is all that the chapter has.
-            let own = if caption.is_empty() { chapter } else { caption }.clone();
+            let own = if caption.is_empty() { chapter.clone() } else { caption.clone() };
             *caption = Text::message(id, vec![("number", number(*count)), ("caption", own)]);
         };
         for block in &mut self.blocks {

@@ -99,7 +99,8 @@ pub fn loaded(results: &Results, position: usize, links: &[LinkId]) -> Figure {
 /// The positions in which the output, the first slide or link of the ground that goes to and fro, turns back.
 fn dead(results: &Results) -> Vec<Position> {
     let Ok(found) = overview(&results.linkage) else { return Vec::new() };
-    let courses = found.slides.iter().map(|(_, course)| course).chain(found.links.iter().map(|(_, course)| course));
+    let courses =
+        found.slides.iter().map(|(_, course)| course).chain(found.links.iter().map(|(_, course)| course));
     let stroke = courses.filter_map(|course| course.stroke.as_ref()).next();
     let solved = |at: &f64| {
         let mut pose = results.linkage.position();

@@ -24,10 +24,10 @@ mod note;
 mod numbers;
 mod over_time;
 mod reading;
-mod sheet;
 pub mod reference;
 mod render;
 mod scan;
+mod sheet;
 #[cfg(test)]
 mod tests;
 mod text;

@@ -87,7 +87,13 @@ pub struct Sheet {
 impl Default for Sheet {
     fn default() -> Self {
         const POSITIONS: usize = 12;
-        Self { format: None, positions: SheetPositions::Count(POSITIONS), plans: Vec::new(), fields: None, number: None }
+        Self {
+            format: None,
+            positions: SheetPositions::Count(POSITIONS),
+            plans: Vec::new(),
+            fields: None,
+            number: None,
+        }
     }
 }
 

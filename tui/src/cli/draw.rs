@@ -68,8 +68,8 @@ pub(crate) fn draw(args: &DrawArgs, style: Style) -> Result<Status, Fault> {
 pub(crate) struct ReportArgs {
     #[command(flatten)]
     scene: SceneArgs,
-    /// File to write; its ending chooses the form: .html and .typ are one file with all figures in it, .md has its figures
-    /// in a folder beside it
+    /// File to write; its ending chooses the form: .html, .pdf and .typ are one file with all figures in it, .md has its
+    /// figures in a folder beside it
     #[arg(short, long, value_name = "FILE")]
     output: PathBuf,
 }
@@ -79,9 +79,11 @@ pub(crate) fn report(args: &ReportArgs, language: Option<&str>, style: Style) ->
     let path = &args.scene.scene;
     let output = Output::of(Some(&args.output), path)?;
     let ending = args.output.extension().unwrap_or_default().to_string_lossy().into_owned();
-    let form = Form::of(&ending)
-        .ok_or_else(|| text!("cli-note-ending", file = name(args.output.display().to_string())))
-        .map_err(Fault::Other)?;
+    let form = Form::of(&ending);
+    if form.is_none() && !ending.eq_ignore_ascii_case("pdf") {
+        let file = name(args.output.display().to_string());
+        return Err(Fault::Other(text!("cli-note-ending", file)));
+    }
     let options = scene::options(&args.scene.methods, false)?;
     let session = scene::open(path, style)?;
     let mut note = session.note.clone();
@@ -93,6 +95,11 @@ pub(crate) fn report(args: &ReportArgs, language: Option<&str>, style: Style) ->
     let stem = args.output.file_stem().unwrap_or_default().to_string_lossy();
     let figures = format!("{stem}-figures");
     let line = ProgressLine::new(style.language);
+    let Some(form) = form else {
+        let written = assur_note::pdf(&results, &note).map_err(Fault::Other)?;
+        drop(line);
+        return output.write(written, status);
+    };
     let written = assur_note::write(&results, &note, form, &figures).map_err(Fault::Other)?;
     drop(line);
     if !written.figures.is_empty() {

@@ -143,7 +143,11 @@ impl Element {
 
     /// A text of this size, mm.
     pub fn text(at: Point, words: &str, size: f64, anchor: Anchor, ink: Ink) -> Self {
-        Self { form: Form::Text { at, words: words.to_owned(), size, anchor, narrow: 1.0, seen: None }, ink, width: 0.0 }
+        Self {
+            form: Form::Text { at, words: words.to_owned(), size, anchor, narrow: 1.0, seen: None },
+            ink,
+            width: 0.0,
+        }
     }
 }
 

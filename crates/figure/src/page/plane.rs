@@ -80,7 +80,12 @@ pub(crate) fn scaled(least: f64, scales: &[Scale]) -> f64 {
 fn bar(own: &Scale, scale: f64, [left, base]: Point, print: &Print<'_>) -> [Element; 2] {
     let (length, words) = told(own, scale, print.language);
     let (right, top) = (left + length / scale, base - END * print.style.em);
-    let bar = polyline(&[[left, top], [left, base], [right, base], [right, top]], Stroke::Solid, Ink::Dim, &print.style);
+    let bar = polyline(
+        &[[left, top], [left, base], [right, base], [right, top]],
+        Stroke::Solid,
+        Ink::Dim,
+        &print.style,
+    );
     [bar, print.text([right + 0.5 * print.style.em, base], &words, Ink::Dim, Anchor::Start)]
 }
 

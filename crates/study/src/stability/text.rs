@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use assur_book::{Block, Document, Table, Unit};
 use assur_check::verdict;
-use assur_words::{Text, joined, list, name, number, quantity, text};
+use assur_words::{Text, joined, list, number, quantity, text};
 
 use super::friction::MOST;
 use super::margin;

@@ -161,7 +161,7 @@ pub(super) fn mechanism_of(draft: &mut Draft, drives: &[Drive]) -> Mechanism {
     let (positions, range) = (POSITIONS[0], Range::To(from));
     let input = Input { drivers, is_list: false, name: None, from, positions, range, direction: Sense::Ccw };
     Mechanism {
-        title: "Specimen".to_owned(),
+        title: "Specimen".into(),
         links: draft.links.clone(),
         points,
         slides: draft.slides.clone(),

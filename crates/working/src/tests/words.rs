@@ -28,7 +28,7 @@ fn in_another_language_only_names_and_symbols_are_latin() {
         // The words of a name that the program gives are those of the language.
         let own = |name| Text::from(name).render(Language::find("uk").unwrap());
         let names = links.chain(points).chain(pairs).chain(loads).map(own);
-        let known: String = names.chain([mechanism.title.clone()]).collect::<Vec<_>>().join(" ");
+        let known: String = names.chain([mechanism.title.to_string()]).collect::<Vec<_>>().join(" ");
         let known: BTreeSet<&str> = known.split(|c: char| !c.is_alphanumeric()).collect();
         for language in ["uk", "ru"].map(|code| Language::find(code).unwrap()) {
             let text = working.text(language);

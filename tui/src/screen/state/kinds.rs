@@ -42,7 +42,8 @@ use View::{
 impl View {
     /// Every view that has a tab, in the order of the tabs.
     pub(crate) const TABS: [Self; 13] = [
-        Results, Mechanism, Curves, Forces, Plans, Motion, Drive, Checks, Accuracy, Structure, Table, Working, Sheet,
+        Results, Mechanism, Curves, Forces, Plans, Motion, Drive, Checks, Accuracy, Structure, Table,
+        Working, Sheet,
     ];
     /// Every view of a scene that is shown or built.
     pub(crate) const OPEN: [Self; 14] = [

@@ -68,7 +68,7 @@ fn of_scene(state: &State) -> BTreeSet<String> {
     let all = links.chain(points).chain(slides).chain(loads);
     // The words that the program gives are not those of the scene.
     let own = all.map(|name| assur_words::Text::from(name).render(Language::find("ru").unwrap()));
-    let own = own.chain([mechanism.title.clone()]).collect::<Vec<_>>().join(" ");
+    let own = own.chain([mechanism.title.to_string()]).collect::<Vec<_>>().join(" ");
     words(&own).map(str::to_lowercase).collect()
 }
 

@@ -28,7 +28,12 @@ pub(super) fn draw(pen: &mut Pen<'_>, area: Rect) {
             let Some(page) = pages.get(shown) else { return };
             let [title, drawing] = Layout::vertical([Constraint::Length(1), Constraint::Min(0)]).areas(sheet);
             let format = name(format!("{:?}", page.format));
-            let told = text!("view-sheet-shown", number = number(shown + 1), count = number(pages.len()), format = format);
+            let told = text!(
+                "view-sheet-shown",
+                number = number(shown + 1),
+                count = number(pages.len()),
+                format = format
+            );
             pen.tell(title, 1, 0, told, Role::Header);
             pen.paint(&preview::figure(page, chosen), drawing);
         }
@@ -38,6 +43,7 @@ pub(super) fn draw(pen: &mut Pen<'_>, area: Rect) {
 
 fn tell(pen: &mut Pen<'_>, state: &State, told: Text, area: Rect) {
     let width = usize::from(area.width.saturating_sub(2)).max(1);
-    let lines: Vec<_> = wrapped(&state.told(told), width).into_iter().map(|line| (Role::Plain, line)).collect();
+    let lines: Vec<_> =
+        wrapped(&state.told(told), width).into_iter().map(|line| (Role::Plain, line)).collect();
     pen.put_lines(area, 1, &lines);
 }

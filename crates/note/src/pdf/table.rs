@@ -1,0 +1,86 @@
+//! Tables in pages: columns as wide as their words, rows that no page divides, the head anew on each page.
+
+use assur_figure::{Anchor, Element, Ink};
+
+use super::lines::wrapped;
+use super::{APART, FINE, LEFT, LINE, Pages, SMALL, WIDTH};
+use crate::sheet::Grid;
+
+/// Free border of a cell, mm.
+const BORDER: f64 = 1.3;
+/// Least width of a column, mm.
+const LEAST: f64 = 10.0;
+/// Rows of a table that must stand below its head on one page.
+const TOGETHER: usize = 3;
+
+/// Puts a table below what stands on the page.
+pub(super) fn put(pages: &mut Pages, caption: &str, grid: &Grid) {
+    let widths = widths(grid);
+    let right: Vec<bool> = grid.right.iter().map(|_| false).collect();
+    let head = cells(&grid.head, &widths);
+    let rows: Vec<_> = grid.rows.iter().map(|row| cells(row, &widths)).collect();
+    let caption = wrapped(caption, WIDTH, SMALL);
+    let first: f64 = rows.iter().take(TOGETHER).map(|row| high(row)).sum();
+    pages.need(LINE * SMALL * caption.len() as f64 + high(&head) + first + APART);
+    caption.iter().for_each(|line| pages.line(line, SMALL, 0.0));
+    pages.y += 0.5 * APART;
+    row(pages, &head, (&widths, &right));
+    for cells in &rows {
+        let before = pages.done.len();
+        pages.need(high(cells));
+        if pages.done.len() > before {
+            row(pages, &head, (&widths, &right));
+        }
+        row(pages, cells, (&widths, &grid.right));
+    }
+    pages.y += 2.0 * APART;
+}
+
+/// Widths of the columns, mm: what the widest word or cell needs, less in the widest where there is too little room.
+fn widths(grid: &Grid) -> Vec<f64> {
+    let wide = |cell: &String| assur_pdf::text_width(cell, SMALL) + 2.0 * BORDER;
+    let column = |at: usize| {
+        let head = grid.head[at].split(' ').map(|word| wide(&word.to_owned())).fold(LEAST, f64::max);
+        grid.rows.iter().filter_map(|row| row.get(at)).map(wide).fold(head, f64::max)
+    };
+    let mut widths: Vec<f64> = (0..grid.head.len()).map(column).collect();
+    let all = |widths: &[f64]| widths.iter().sum::<f64>();
+    // The widest are cut to one width, until all fit.
+    while all(&widths) > WIDTH {
+        let most = widths.iter().copied().fold(0.0, f64::max);
+        let next = widths.iter().copied().filter(|width| *width < most - FINE).fold(LEAST, f64::max);
+        let of_most = widths.iter().filter(|width| **width >= most - FINE).count();
+        let cut = ((all(&widths) - WIDTH) / of_most as f64).min(most - next).max(FINE);
+        widths.iter_mut().filter(|width| **width >= most - FINE).for_each(|width| *width -= cut);
+    }
+    let factor = WIDTH / all(&widths);
+    widths.iter().map(|width| width * factor).collect()
+}
+
+/// The lines of the cells of a row.
+fn cells(row: &[String], widths: &[f64]) -> Vec<Vec<String>> {
+    row.iter().zip(widths).map(|(cell, width)| wrapped(cell, width - 2.0 * BORDER, SMALL)).collect()
+}
+
+fn high(cells: &[Vec<String>]) -> f64 {
+    let lines = cells.iter().map(Vec::len).max().unwrap_or(0).max(1);
+    LINE * SMALL * lines as f64 + 0.6
+}
+
+fn row(pages: &mut Pages, cells: &[Vec<String>], (widths, right): (&[f64], &[bool])) {
+    let (top, high) = (pages.y, high(cells));
+    let page = pages.page();
+    let mut x = LEFT;
+    for ((lines, width), right) in cells.iter().zip(widths).zip(right) {
+        let corners = [[x, top], [x + width, top], [x + width, top + high], [x, top + high], [x, top]];
+        page.push(Element::line(corners, FINE, Ink::Text));
+        for (number, line) in lines.iter().enumerate() {
+            let y = top + LINE * SMALL * number as f64 + 1.05 * SMALL;
+            let (at, anchor) =
+                if *right { (x + width - BORDER, Anchor::End) } else { (x + BORDER, Anchor::Start) };
+            page.push(Element::text([at, y], line, SMALL, anchor, Ink::Text));
+        }
+        x += width;
+    }
+    pages.y += high;
+}
