@@ -37,7 +37,8 @@ pub(crate) fn sheet(args: &SheetArgs, language: Option<&str>, style: Style) -> R
     let language = language.or(note.language).and_then(Language::find).unwrap_or(style.language);
     let pages = assur_sheet::sheet(&results, note, language).map_err(Fault::Other)?;
     let files = form.write(&results.linkage.mechanism.title, &pages).map_err(Fault::Other)?;
-    let outputs = (0..files.len()).map(|number| Output::of(Some(&numbered(&args.output, number)), path));
+    let names: Vec<PathBuf> = (0..files.len()).map(|number| numbered(&args.output, number)).collect();
+    let outputs = names.iter().map(|name| Output::of(Some(name), path));
     let outputs = outputs.collect::<Result<Vec<_>, _>>()?;
     for (output, content) in outputs.into_iter().zip(files) {
         output.write(content, verdict.status())?;
