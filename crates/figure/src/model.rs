@@ -105,6 +105,15 @@ impl Panel {
         Self { title: Text::default(), frame: Frame::Plane { bounds, scales: vec![scale] }, items }
     }
 
+    /// A plot whose vertical axis has numbers in this unit.
+    #[must_use]
+    pub fn measuring(mut self, unit: &str) -> Self {
+        if let Frame::Axes { y, .. } = &mut self.frame {
+            *y = y.clone().measuring(unit);
+        }
+        self
+    }
+
     pub(crate) fn heading(&self) -> Text {
         let value = match &self.frame {
             Frame::Axes { cursor: Some(cursor), .. } => Some(&cursor.value),

@@ -144,9 +144,11 @@ impl<'a> Arranged<'a> {
     }
 }
 
-/// The width and height of the page of a figure, mm.
+/// The width and height of the page of a figure, mm, with entries of its legend that are wider than the page.
 pub fn size(figure: &Figure, page: Page, style: Style, language: &Language) -> [f64; 2] {
-    Arranged::of(figure, page, &Print { style, language }).size
+    let print = &Print { style, language };
+    let Arranged { legend, size: [width, height], .. } = Arranged::of(figure, page, print);
+    [width.max(legend::width(&legend, print) + 2.0 * BORDER), height]
 }
 
 /// The elements of a figure on a page, and the width and height of the page, mm.

@@ -57,10 +57,10 @@ impl Scale {
     /// `μ_{v} = 0.05 m/s/mm` where a millimeter is so many units of the plane; nothing without a symbol.
     pub(crate) fn factor(&self, units: f64) -> Option<Text> {
         let symbol = (!self.symbol.is_empty()).then(|| name(format!("μ_{{{}}}", self.symbol)))?;
-        // A unit that is a ratio itself stands in parentheses.
-        let unit =
-            if self.unit.contains('/') { format!("({})/mm", self.unit) } else { format!("{}/mm", self.unit) };
-        Some(joined(" = ", [symbol, quantity(plain(self.size * units), unit)]))
+        // A round number without a power of ten, however small.
+        let digits = plain(self.size * units);
+        let digits = digits.parse::<f64>().map_or(digits, |value| value.to_string());
+        Some(joined(" = ", [symbol, quantity(digits, format!("{}/mm", self.unit))]))
     }
 
     /// The longest bar of a round number of units, lengths in mm, that is not longer than this: its length in units of the plane, and how

@@ -126,3 +126,5 @@ events-of-turn = Modes are told of a whole turn, of which the positions are a pa
 events-title = Events of the cycle: modes, friction, sides of guides
 assembly-input-link = Input link { $link }
 assembly-with-group = with group { $number }, { $kind }
+curve-angle = angle
+curve-displacement = displacement

@@ -126,3 +126,5 @@ events-of-turn = Варианты сборки даны за полный обо
 events-title = События цикла: варианты сборки, трение, стороны направляющих
 assembly-input-link = Входное звено { $link }
 assembly-with-group = с группой { $number }, { $kind }
+curve-angle = угол
+curve-displacement = перемещение

@@ -126,3 +126,5 @@ events-of-turn = Варіанти складання подано за повн�
 events-title = Події циклу: варіанти складання, тертя, боки напрямних
 assembly-input-link = Вхідна ланка { $link }
 assembly-with-group = з групою { $number }, { $kind }
+curve-angle = кут
+curve-displacement = переміщення

@@ -68,10 +68,10 @@ impl<'a> Acting<'a> {
     }
 
     /// A force and a moment at a place, with their symbols and what they are.
-    fn act(&mut self, at: Point, force: [f64; 2], moment: f64, symbols: [String; 2], told: &Text, ink: Ink) {
+    fn act(&mut self, at: Point, force: [f64; 2], moment: f64, symbols: [Text; 2], told: &Text, ink: Ink) {
         let parts = [(Kind::Force, force), (Kind::Moment, [moment, 0.0])];
         for ((kind, vector), symbol) in parts.into_iter().zip(symbols) {
-            self.push(at, kind, vector, [name(symbol), told.clone()], (Stroke::Solid, ink));
+            self.push(at, kind, vector, [symbol, told.clone()], (Stroke::Solid, ink));
         }
     }
 
@@ -107,7 +107,7 @@ impl<'a> Acting<'a> {
                 self.push(at, Kind::Force, force, of(name("F"), told), line);
             } else if are_wanted(load.cause) {
                 let at = load.at.unwrap_or_else(|| self.anchor(load.link));
-                let symbols = ["F", "M"].map(|letter| format!("{letter}{}", number + 1));
+                let symbols = ["F", "M"].map(|letter| name(format!("{letter}{}", number + 1)));
                 self.act(at, force, load.couple(bodies), symbols, &told, Ink::Second);
             }
         }
@@ -139,7 +139,10 @@ impl<'a> Acting<'a> {
             // Of several links each has its own force.
             let several = shown.iter().filter(|(own, _)| *own == pair).count() > 1;
             let link = if several { format!(",{on}") } else { String::new() };
-            let symbols = ["R", "M"].map(|letter| format!("{letter}_{{{}{link}}}", force.joint.name));
+            let joint = || Text::from(&force.joint.name);
+            let symbols = ["R", "M"].map(|letter| {
+                joined("", [name(format!("{letter}_{{")), joint(), name(format!("{link}}}"))])
+            });
             self.act(at, force.force, force.moment.unwrap_or_default(), symbols, &told, Ink::First);
         }
         let balanced = |link| self.concerns(link);
@@ -165,7 +168,7 @@ impl<'a> Acting<'a> {
         let along = drive_direction(mechanism, driver, bodies).map_or([0.0, 0.0, 1.0], |[x, y]| [x, y, 0.0]);
         let [x, y, moment] = along;
         let at = self.of_driver(driver);
-        let symbols = ["F", "M"].map(|letter| format!("{letter}_{{{index}}}"));
+        let symbols = ["F", "M"].map(|letter| name(format!("{letter}_{{{index}}}")));
         // A cylinder pushes both of its links.
         let is_pair = driver.is_relative() && !driver.is_angle();
         for size in [size, -size].into_iter().take(if is_pair { 2 } else { 1 }) {
@@ -184,7 +187,7 @@ impl<'a> Acting<'a> {
             (Some(unit), Some(Balance::Moment(link))) => (self.anchor(link), [0.0, 0.0, unit.m]),
             _ => return self.by_driver(mechanism.input.first(), size, index, told),
         };
-        let symbols = ["F", "M"].map(|letter| format!("{letter}_{{{index}}}"));
+        let symbols = ["F", "M"].map(|letter| name(format!("{letter}_{{{index}}}")));
         self.act(at, [size * x, size * y], size * moment, symbols, told, Ink::Second);
     }
 

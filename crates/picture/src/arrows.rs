@@ -118,6 +118,11 @@ impl Shown {
         Self { pose, arrows: own, scales, bounds, size }
     }
 
+    /// All vectors.
+    pub(crate) fn all(&self) -> &[Arrow] {
+        &self.arrows
+    }
+
     /// The vectors with their names.
     pub(crate) fn items(&self) -> Vec<Item> {
         let mut items = Vec::new();

@@ -58,7 +58,8 @@ pub fn positions(results: &Results, others: &[usize], chosen: usize) -> Figure {
             let own = &results.linkage.mechanism.points[point];
             let Some(at) = own.on(link) else { continue };
             let text = joined("", [Text::from(&own.name), name(format!("_{{{position}}}"))]);
-            numbers.push(Item::Name { at: pose.bodies[link].point(at), text, ink: Ink::Text, needed: false });
+            let needed = results.linkage.mechanism.input.placed().any(|input| input == link);
+            numbers.push(Item::Name { at: pose.bodies[link].point(at), text, ink: Ink::Text, needed });
         }
     }
     for (index, pose) in dead(results).iter().enumerate() {
@@ -92,7 +93,7 @@ pub fn loaded(results: &Results, position: usize, links: &[LinkId]) -> Figure {
     let bounds = Bounds::around(items.iter().flat_map(Item::points));
     let mut panel = Panel::plane(bounds, Scale::of("l", "m"), items);
     shown.fit(&mut panel);
-    Figure { legend: shown.legend(results), ..Figure::of(panel) }
+    Figure::of(panel)
 }
 
 /// The positions in which the output, the first slide or link of the ground that goes to and fro, turns back.

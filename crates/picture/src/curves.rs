@@ -83,10 +83,15 @@ pub fn of_last(results: &Results, look: &Look<'_>) -> Figure {
     let [Some(velocity), Some(acceleration)] = rates else { return figure(results, look) };
     let place = in_radians(&results.series[last.orders[0]]);
     let all = [&place, velocity, acceleration].into_iter().zip([Ink::First, Ink::Second, Ink::Third]);
+    let heading = |series: &Series| match (series.column.quantity, series.column.owner) {
+        (Quantity::Transfer(_), Owner::Link(_)) => text!("curve-angle"),
+        (Quantity::Transfer(_), _) => text!("curve-displacement"),
+        _ => catalogue::kind(series.column),
+    };
     let panel = |(series, ink): (&Series, Ink)| {
         over_positions(
             results.base(look),
-            [catalogue::kind(series.column), Text::default()],
+            [heading(series), Text::default()],
             &[(series, Stroke::Solid, ink)],
             Vec::new(),
         )

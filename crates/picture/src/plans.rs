@@ -5,12 +5,15 @@ use assur_figure::number::digits;
 use assur_figure::{Bounds, Figure, Frame, Ink, Item, Key, Panel, Scale, Sign, Stroke, one_scale};
 use assur_force::{Construction, ConstructionStep, Drawing, VectorKind};
 use assur_group::plane::cross;
+use assur_mechanism::LinkId;
 use assur_words::{Describe, Text, joined, name, number, quantity, text};
 
-use crate::{Found, Look, Plans, Results, ViewPart, mechanism, plots};
+use crate::{Found, Look, Plans, Results, ViewPart, arrows, mechanism, plots};
 
 /// A vector smaller than this part of the greatest counts as zero.
 const LEAST: f64 = 1e-12;
+/// Two vectors that differ by no more than this part are one.
+const SAME: f64 = 1e-9;
 /// How far beyond the mechanism a construction is drawn, as part of its size.
 const FAR: f64 = 1.5;
 /// A vector shorter than this part of a construction is not named in it.
@@ -99,7 +102,14 @@ pub fn lever(results: &Results, look: &Look<'_>) -> Figure {
         let last = drawn.steps.iter().rposition(|step| step.drawing == Drawing::Lever)?;
         Some(plans.steps_of(index).start + last)
     });
-    last.map_or_else(Figure::default, |step| figure(results, &Look { step, ..*look }, ViewPart::Construction))
+    let Some(step) = last else { return Figure::default() };
+    let drawn = figure(results, &Look { step, ..*look }, ViewPart::Construction);
+    let Some((construction, last)) = chosen_step(&plans, step) else { return drawn };
+    // The velocities are named by their points.
+    let unit = construction.steps.iter().find(|step| step.kind == VectorKind::Absolute).map(|step| step.unit);
+    let forces = construction.steps[..=last].iter().filter(|step| step.unit == "N" && step.drawing == Drawing::Lever);
+    let legend = plots::limited(forces.filter_map(|step| key_of_step(step, unit)).collect());
+    Figure { legend, ..drawn }
 }
 
 /// What the labels of a plan stand for, with the sizes.
@@ -131,11 +141,52 @@ pub fn labelled(part: ViewPart, plan: &VectorPlan) -> Vec<(String, &PlanVector)>
     drawn.map(|(number, item)| (label(part, item, number), item)).collect()
 }
 
+/// The polygon of some links in a position, whose vectors have the symbols that they have on the links, where forces and moments from
+/// outside act on these; a part of a force, and the reaction within a group, has the name of the plan.
+pub fn polygon(results: &Results, position: usize, polygon: usize, links: &[LinkId]) -> Figure {
+    let Some(found) = &results.found else { return Figure::default() };
+    let plans = found.plans.at(position);
+    let look = Look { position, polygon, ..Look::default() };
+    let Shown::Plan(plan) = shown(found, &look, ViewPart::Forces, &plans) else { return Figure::default() };
+    let acting = arrows::Shown::on_links(results, position, links);
+    let acting = acting.as_ref().map_or(&[][..], arrows::Shown::all);
+    let symbol = |item: &PlanVector| {
+        let vector = [item.end[0] - item.start[0], item.end[1] - item.start[1]];
+        let apart = |own: &&arrows::Arrow| length([own.vector, vector]) <= SAME * item.size;
+        let is_outer = item.kind != VectorKind::Inner;
+        let forces = acting.iter().filter(|own| is_outer && own.kind == arrows::Kind::Force);
+        let same = forces.filter(apart).min_by_key(|own| own.told != item.name);
+        same.map_or_else(|| item.name.clone(), |own| own.name.clone())
+    };
+    let all = labelled(ViewPart::Forces, plan);
+    let named: Vec<(Text, &PlanVector)> = all.into_iter().map(|(_, item)| (symbol(item), item)).collect();
+    let key = |(symbol, item): &(Text, &PlanVector)| {
+        let size = quantity(digits(item.size, 5), item.unit.clone());
+        let told = if *symbol == item.name { Text::default() } else { item.name.clone() };
+        let told = if item.kind == VectorKind::Reaction { Text::default() } else { told };
+        let ink = ink_of(ViewPart::Forces, item);
+        let stroke = if ink == Ink::Trace { Stroke::Dotted } else { Stroke::Solid };
+        plots::key([symbol, &told], size, None, (stroke, ink))
+    };
+    let mut legend: Vec<Key> = named.iter().map(key).collect();
+    let moments = acting.iter().filter(|own| own.kind == arrows::Kind::Moment);
+    legend.extend(moments.map(|own| {
+        let size = quantity(digits(own.vector[0], 5), "N m");
+        plots::key([&own.name, &own.told], size, None, own.style)
+    }));
+    let panel = panel_of(ViewPart::Forces, plan, &named);
+    Figure { title: plan.title.clone(), legend: plots::limited(legend), ..Figure::of(panel) }
+}
+
 pub(crate) fn panel_of_plan(part: ViewPart, plan: &VectorPlan) -> Panel {
-    let shown = labelled(part, plan);
+    let shown: Vec<_> = labelled(part, plan).into_iter().map(|(label, item)| (name(label), item)).collect();
+    panel_of(part, plan, &shown)
+}
+
+fn panel_of(part: ViewPart, plan: &VectorPlan, shown: &[(Text, &PlanVector)]) -> Panel {
     let vectors = shown.iter().map(|(label, item)| {
         let ink = ink_of(part, item);
-        let name = if ink == Ink::Trace { Text::default() } else { name(label.clone()) };
+        let name = if ink == Ink::Trace { Text::default() } else { label.clone() };
         (plots::arrow([item.start, item.end], &name, ink), name)
     });
     let (symbol, pole) = match part {

@@ -254,5 +254,5 @@ pub(crate) fn energies(found: &Found, over: Column, x: (Axis, f64), cursor: f64)
     let known = works.iter().all(|(_, course)| !course.is_empty());
     let friction = sampled(found, over, Quantity::FrictionWork);
     works.extend((!friction.is_empty()).then(|| (text!("regime-friction-work"), friction)));
-    known.then(|| curves(text!("regime-energies"), works, x, Some(cursor.into())))
+    known.then(|| curves(text!("regime-energies"), works, x, Some(cursor.into())).measuring(Unit::JOULE.name))
 }

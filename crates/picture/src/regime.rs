@@ -59,8 +59,9 @@ pub(crate) fn course(found: &Found, regime: &RegimeOverCycle, look: &Look<'_>) -
         lines.push((text!("regime-first-turn"), first_turn));
     }
     let now = cursor(&found.linkage, look);
-    let title = plots::titled(text!("regime-input-speed"), Unit::rates_of(found.linkage.kind())[0]);
-    let speed = plots::curves(title, lines, axis(&found.linkage), Some(now.into()));
+    let rate = Unit::rates_of(found.linkage.kind())[0];
+    let title = plots::titled(text!("regime-input-speed"), rate);
+    let speed = plots::curves(title, lines, axis(&found.linkage), Some(now.into())).measuring(rate.name);
     let energies = plots::energies(found, Column::COORDINATE, axis(&found.linkage), now);
     [speed, moments(found, regime, look)].into_iter().chain(energies).collect()
 }
@@ -97,7 +98,8 @@ pub(crate) fn moments(found: &Found, regime: &RegimeOverCycle, look: &Look<'_>) 
     let kind = found.linkage.kind();
     let told = if kind.is_angle() { text!("regime-moments") } else { text!("regime-forces") };
     let title = plots::titled(told, Unit::load_of(kind));
-    let mut panel = plots::curves(title, lines, (x, factor), Some(cursor(&found.linkage, look).into()));
+    let panel = plots::curves(title, lines, (x, factor), Some(cursor(&found.linkage, look).into()));
+    let mut panel = panel.measuring(Unit::load_of(kind).name);
     if let Some((mut outline, work)) = area {
         for at in &mut outline {
             at[0] *= factor;
@@ -144,7 +146,9 @@ pub(crate) fn characteristic(dynamics: &Dynamics) -> Option<Panel> {
         (text!("regime-working-section"), course(&work.working_section)),
     ];
     let x = Axis::around(text!("regime-motor-speed"), work.curve.iter().map(|at| at[0]), 0.0);
-    let mut panel = plots::curves(text!("regime-characteristic"), lines, (x, 1.0), None);
+    let x = x.measuring("rad/s");
+    let mut panel =
+        plots::curves(text!("regime-characteristic"), lines, (x, 1.0), None).measuring(Unit::MOMENT.name);
     mark_section(&mut panel, dynamics, &work.working_section);
     Some(panel)
 }
@@ -153,9 +157,10 @@ pub(crate) fn characteristic(dynamics: &Dynamics) -> Option<Panel> {
 pub(crate) fn working_section(dynamics: &Dynamics) -> Option<Panel> {
     let work = &dynamics.motor.as_ref()?.work;
     let section = Course::from_points(work.working_section.iter().copied());
-    let x = Axis::around(text!("regime-motor-speed"), work.speed, 0.0);
+    let x = Axis::around(text!("regime-motor-speed"), work.speed, 0.0).measuring("rad/s");
     let title = list([text!("regime-working-section"), unit("N m")]);
-    let mut panel = plots::curves(title, vec![(text!("regime-working-section"), section)], (x, 1.0), None);
+    let curve = vec![(text!("regime-working-section"), section)];
+    let mut panel = plots::curves(title, curve, (x, 1.0), None).measuring(Unit::MOMENT.name);
     mark_section(&mut panel, dynamics, &work.working_section);
     Some(panel)
 }
@@ -178,7 +183,8 @@ fn mark_section(panel: &mut Panel, dynamics: &Dynamics, section: &[[f64; 2]]) {
 pub(crate) fn energy_mass(diagram: &EnergyMass, kind: CoordinateKind) -> Panel {
     let inertias = || diagram.curve.iter().map(|at| at[0]);
     let told = if kind.is_angle() { text!("regime-links-inertia") } else { text!("regime-links-mass") };
-    let x = Axis::around(plots::titled(told, Unit::inertias(kind)[0]), inertias(), 0.0);
+    let inertia = Unit::inertias(kind)[0];
+    let x = Axis::around(plots::titled(told, inertia), inertias(), 0.0).measuring(inertia.name);
     let [x0, y0] = diagram.origin;
     let line =
         |slope: f64| Course::from_points(x.range.map(|inertia| [inertia, y0 + slope * (inertia - x0)]));
@@ -189,7 +195,8 @@ pub(crate) fn energy_mass(diagram: &EnergyMass, kind: CoordinateKind) -> Panel {
         (text!("regime-greatest-speed"), fast),
         (text!("regime-least-speed"), slow),
     ];
-    let mut panel = plots::curves(text!("regime-energy-mass"), lines, (x, 1.0), None);
+    let panel = plots::curves(text!("regime-energy-mass"), lines, (x, 1.0), None);
+    let mut panel = panel.measuring(Unit::JOULE.name);
     panel.items.extend(diagram.tangents.map(|tangent| Item::sign(tangent.touches, Sign::Plus, Ink::Title)));
     panel
 }
@@ -232,7 +239,7 @@ pub(crate) fn shares(found: &Found, dynamics: &Dynamics, look: &Look<'_>) -> (Pa
         Key { sample, text: joined(": ", std::iter::once(told).chain(now)) }
     };
     let legend = samples.into_iter().zip(names).map(key).collect();
-    let y = Axis::around(Text::default(), values, 0.0);
+    let y = Axis::around(Text::default(), values, 0.0).measuring(inertia.name);
     let (x, cursor) = (plots::coordinate_axis(&found.linkage), Some(cursor(&found.linkage, look).into()));
     let frame = Frame::Axes { x, y, cursor };
     (Panel { title, frame, items }, legend)

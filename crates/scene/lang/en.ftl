@@ -525,6 +525,15 @@ scene-great-torque-ratio = `max_torque_ratio` = { $found } is a breakdown torque
 scene-table-ends = The table ends at { $last }, and the cycle at { $end }: { $held } is held up to there, then it jumps to { $first }. If that is meant, write `repeat = true`, else a row at { $end }.
 scene-unevenness-unused = `unevenness` has no effect: it determines a flywheel, and none is to be found. Write flywheel = "solve" under [drive], or leave it out.
 scene-counted-twice = { $point } stands at { $angle } in the frame of the input link, and `from` turns this frame by as much again: { $point } begins at { $twice }. Put { $point } on the x axis of its link, or leave `from` out.
+scene-the-sheet = the sheet
+scene-list-of-fields = a list of fields
+scene-many-positions-of-sheet = `{ $key }` of a sheet has at most { $most } positions
+scene-key-sheet = Format, fields and title block of `assur sheet`.
+scene-key-sheet-format = Its format; absent, the smallest that holds the fields.
+scene-key-sheet-positions = The positions drawn over each other: how many over the cycle, or their numbers.
+scene-key-sheet-plans = Numbers of the positions of plans and polygons; absent, those of the note.
+scene-key-sheet-fields = Its fields in their order, of `mechanism`, `diagrams`, `velocities`, `accelerations`, `forces`, `lever`, `dynamics`, `results`; absent, those that the scene has.
+scene-key-sheet-number = The number of the drawing, for the title block.
 scene-a-text-by-language = a text or a table of languages
 scene-text-by-language = a text by languages
 scene-an-empty-table = an empty table
@@ -551,12 +560,3 @@ scene-key-note-task = The text of the task; an empty line divides its paragraphs
 scene-key-note-curves = Further diagrams: columns by heading, CSV name or words; several with commas between them lie over each other.
 scene-key-note-chapters = The chapters that it has, of `results`, `task`, `structure`, `kinematics`, `forces`, `dynamics`, `energy`, `working`, `checks`, `model`, `sources`, `conclusions`; absent, all that the scene has.
 scene-key-note-digits = Significant digits of its numbers.
-scene-the-sheet = the sheet
-scene-list-of-fields = a list of fields
-scene-many-positions-of-sheet = `{ $key }` of a sheet has at most { $most } positions
-scene-key-sheet = Format, fields and title block of `assur sheet`.
-scene-key-sheet-format = Its format; absent, the smallest that holds the fields.
-scene-key-sheet-positions = The positions drawn over each other: how many over the cycle, or their numbers.
-scene-key-sheet-plans = Numbers of the positions of plans and polygons; absent, those of the note.
-scene-key-sheet-fields = Its fields in their order, of `mechanism`, `diagrams`, `velocities`, `accelerations`, `forces`, `lever`, `dynamics`, `results`; absent, those that the scene has.
-scene-key-sheet-number = The number of the drawing, for the title block.

@@ -531,6 +531,15 @@ scene-great-torque-ratio = `max_torque_ratio` = { $found } - это критич
 scene-table-ends = Таблица кончается на { $last }, а цикл на { $end }: дотуда держится { $held }, потом скачок к { $first }. Если так и нужно, напишите `repeat = true`, иначе строку для { $end }.
 scene-unevenness-unused = `unevenness` ничего не меняет: по нему находят маховик, а его не ищут. Напишите flywheel = "solve" в [drive] или уберите его.
 scene-counted-twice = { $point } стоит под углом { $angle } в системе координат входного звена, а `from` поворачивает её ещё на столько же: { $point } начинает с { $twice }. Поставьте { $point } на ось x своего звена или уберите `from`.
+scene-the-sheet = лист
+scene-list-of-fields = список полей
+scene-many-positions-of-sheet = `{ $key }` листа имеет не больше { $most } положений
+scene-key-sheet = Формат, поля и основная надпись `assur sheet`.
+scene-key-sheet-format = Формат листа; без него — наименьший, на котором помещаются поля.
+scene-key-sheet-positions = Положения, начерченные одно на другом: сколько их за цикл или их номера.
+scene-key-sheet-plans = Номера положений планов и многоугольников; без них — те, что в записке.
+scene-key-sheet-fields = Поля листа по порядку, из `mechanism`, `diagrams`, `velocities`, `accelerations`, `forces`, `lever`, `dynamics`, `results`; без ключа — те, что есть в сцене.
+scene-key-sheet-number = Обозначение чертежа для основной надписи.
 scene-a-text-by-language = текст или таблица языков
 scene-text-by-language = текст по языкам
 scene-an-empty-table = пустая таблица
@@ -557,12 +566,3 @@ scene-key-note-task = Текст задания; пустая строка ра�
 scene-key-note-curves = Дополнительные графики: столбцы по заголовку, имени в { "CSV" } или словам; несколько через запятую — друг над другом.
 scene-key-note-chapters = Разделы, которые она имеет, из `results`, `task`, `structure`, `kinematics`, `forces`, `dynamics`, `energy`, `working`, `checks`, `model`, `sources`, `conclusions`; без ключа — все, что есть в сцене.
 scene-key-note-digits = Значащие цифры её чисел.
-scene-the-sheet = лист
-scene-list-of-fields = список полей
-scene-many-positions-of-sheet = `{ $key }` листа имеет не больше { $most } положений
-scene-key-sheet = Формат, поля и основная надпись `assur sheet`.
-scene-key-sheet-format = Формат листа; без него — наименьший, на котором помещаются поля.
-scene-key-sheet-positions = Положения, начерченные одно на другом: сколько их за цикл или их номера.
-scene-key-sheet-plans = Номера положений планов и многоугольников; без них — те, что в записке.
-scene-key-sheet-fields = Поля листа по порядку, из `mechanism`, `diagrams`, `velocities`, `accelerations`, `forces`, `lever`, `dynamics`, `results`; без ключа — те, что есть в сцене.
-scene-key-sheet-number = Обозначение чертежа для основной надписи.

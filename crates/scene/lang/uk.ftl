@@ -532,6 +532,15 @@ scene-great-torque-ratio = `max_torque_ratio` = { $found } - це критичн
 scene-table-ends = Таблиця закінчується на { $last }, а цикл на { $end }: доти тримається { $held }, потім стрибок до { $first }. Якщо так і треба, напишіть `repeat = true`, інакше рядок для { $end }.
 scene-unevenness-unused = `unevenness` нічого не змінює: з нього знаходять маховик, а його не шукають. Напишіть flywheel = "solve" у [drive] або приберіть його.
 scene-counted-twice = { $point } стоїть під кутом { $angle } у системі координат вхідної ланки, а `from` повертає її ще на стільки ж: { $point } починає з { $twice }. Поставте { $point } на вісь x своєї ланки або приберіть `from`.
+scene-the-sheet = аркуш
+scene-list-of-fields = список полів
+scene-many-positions-of-sheet = `{ $key }` аркуша має щонайбільше { $most } положень
+scene-key-sheet = Формат, поля й основний напис `assur sheet`.
+scene-key-sheet-format = Формат аркуша; без нього — найменший, на якому вміщуються поля.
+scene-key-sheet-positions = Положення, накреслені одне на одному: скільки їх за цикл або їхні номери.
+scene-key-sheet-plans = Номери положень планів і багатокутників; без них — ті, що в записці.
+scene-key-sheet-fields = Поля аркуша за порядком, з `mechanism`, `diagrams`, `velocities`, `accelerations`, `forces`, `lever`, `dynamics`, `results`; без ключа — ті, що є в сцені.
+scene-key-sheet-number = Позначення креслення для основного напису.
 scene-a-text-by-language = текст або таблиця мов
 scene-text-by-language = текст за мовами
 scene-an-empty-table = порожня таблиця
@@ -558,12 +567,3 @@ scene-key-note-task = Текст завдання; порожній рядок �
 scene-key-note-curves = Додаткові графіки: стовпці за заголовком, іменем у { "CSV" } чи словами; кілька через кому — один над одним.
 scene-key-note-chapters = Розділи, які вона має, з `results`, `task`, `structure`, `kinematics`, `forces`, `dynamics`, `energy`, `working`, `checks`, `model`, `sources`, `conclusions`; без ключа — усі, що є в сцені.
 scene-key-note-digits = Значущі цифри її чисел.
-scene-the-sheet = аркуш
-scene-list-of-fields = список полів
-scene-many-positions-of-sheet = `{ $key }` аркуша має щонайбільше { $most } положень
-scene-key-sheet = Формат, поля й основний напис `assur sheet`.
-scene-key-sheet-format = Формат аркуша; без нього — найменший, на якому вміщуються поля.
-scene-key-sheet-positions = Положення, накреслені одне на одному: скільки їх за цикл або їхні номери.
-scene-key-sheet-plans = Номери положень планів і багатокутників; без них — ті, що в записці.
-scene-key-sheet-fields = Поля аркуша за порядком, з `mechanism`, `diagrams`, `velocities`, `accelerations`, `forces`, `lever`, `dynamics`, `results`; без ключа — ті, що є в сцені.
-scene-key-sheet-number = Позначення креслення для основного напису.

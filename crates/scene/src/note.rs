@@ -141,6 +141,7 @@ pub(crate) fn read(root: &Section<'_>, positions: Option<usize>) -> Note {
     let most = positions.unwrap_or(usize::MAX).saturating_sub(1);
     let digits = section.get("digits").and_then(|entry| entry.count(FEWEST_DIGITS, MOST_DIGITS));
     Note {
+        sheet,
         author: section.words("author"),
         group: section.words("group"),
         variant: section.words("variant"),
@@ -159,7 +160,6 @@ pub(crate) fn read(root: &Section<'_>, positions: Option<usize>) -> Note {
             .get("chapters")
             .map(|_| each(&section, "chapters", CHAPTERS.len(), |entry| entry.choice(&CHAPTERS))),
         digits: digits.unwrap_or(DIGITS),
-        sheet,
     }
 }
 

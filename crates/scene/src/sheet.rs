@@ -1,6 +1,6 @@
 //! Reads `[sheet]`: what the scene says about its drawing sheet.
 
-use assur_words::{name, text};
+use assur_words::{Text, name, text};
 
 use crate::walk::Section;
 
@@ -81,7 +81,7 @@ pub struct Sheet {
     /// The fields in their order; `None`: those that the scene has.
     pub fields: Option<Vec<SheetField>>,
     /// The number of the drawing, for the title block.
-    pub number: Option<String>,
+    pub number: Option<Text>,
 }
 
 impl Default for Sheet {
@@ -128,6 +128,6 @@ pub(crate) fn read(root: &Section<'_>, positions: Option<usize>) -> Sheet {
         let listed = entry.list(text!("scene-list-of-fields"));
         listed.iter().filter_map(|entry| entry.choice(&SHEET_FIELDS)).collect()
     });
-    sheet.number = section.get("number").and_then(|entry| entry.line());
+    sheet.number = section.words("number");
     sheet
 }

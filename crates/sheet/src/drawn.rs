@@ -1,10 +1,9 @@
 //! What a field draws: a figure of pictures, or a table.
 
 use assur_figure::{Anchor, Element, Figure, Frame, Ink, Page, Panel, Style, elements, size, text_width};
+use assur_pdf::text_width as exact_width;
 use assur_scene::SheetField;
 use assur_words::Language;
-
-use crate::layout::Block;
 
 /// Widths in which a picture is tried, mm: the least, the greatest, and the ratio of two that follow each other.
 const LEAST: f64 = 60.0;
@@ -15,6 +14,8 @@ const UPRIGHT: f64 = 1.4;
 /// Height of a plot of several below each other beside its width, from flat to high, and least height, mm.
 const FLAT: [f64; 3] = [0.22, 0.34, 0.5];
 const LEAST_PLOT: f64 = 38.0;
+/// Room beside the heading of a plot, in which its factor stands, mm.
+const FACTOR: f64 = 48.0;
 /// Height of a row of a table, and space beside its texts, mm.
 const ROW: f64 = 8.0;
 const BESIDE: f64 = 1.5;
@@ -36,43 +37,53 @@ pub(crate) enum Content {
     Table(String, Vec<[String; 2]>),
 }
 
+/// A size in which a field can be drawn, mm, and on which page it has this size; a table has none.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Size {
+    pub(crate) size: [f64; 2],
+    page: Option<Page>,
+}
+
 impl Drawn {
     /// The sizes in which it can be drawn, from the least.
-    pub(crate) fn block(&self, language: &Language) -> Block {
-        let mut sizes: Vec<[f64; 2]> = Vec::new();
-        match &self.content {
-            Content::Table(title, rows) => sizes.push(table_size(title, rows)),
-            Content::Figure(figure) => {
-                let mut width = self.least.max(LEAST);
-                while width <= MOST {
-                    for page in pages(figure, width) {
-                        let own = size(figure, page, Style::SHEET, language);
-                        if !sizes.contains(&own) {
-                            sizes.push(own);
-                        }
-                    }
-                    width *= STEP;
+    pub(crate) fn sizes(&self, language: &Language) -> Vec<Size> {
+        let figure = match &self.content {
+            Content::Table(title, rows) => return vec![Size { size: table_size(title, rows), page: None }],
+            Content::Figure(figure) => figure,
+        };
+        let mut sizes: Vec<Size> = Vec::new();
+        // A heading has two lines.
+        let heading = |panel: &Panel| {
+            let factor = if matches!(panel.frame, Frame::Axes { .. }) { FACTOR } else { 0.0 };
+            0.65 * text_width(&panel.title.render(language), Style::SHEET.em) + factor
+        };
+        let headings = figure.panels.iter().map(heading).fold(LEAST, f64::max);
+        let mut width = self.least.max(headings);
+        while width <= MOST {
+            for page in pages(figure, width) {
+                let own = Size { size: size(figure, page, Style::SHEET, language), page: Some(page) };
+                if sizes.iter().all(|known| known.size != own.size) {
+                    sizes.push(own);
                 }
-                sizes.sort_by(|one, other| area(one).total_cmp(&area(other)));
             }
+            width *= STEP;
         }
-        Block { sizes, weight: self.weight }
+        sizes.sort_by(|one, other| area(one).total_cmp(&area(other)));
+        sizes
     }
 
     /// What stands on paper in this size, from its upper left corner.
-    pub(crate) fn elements(&self, size: [f64; 2], language: &Language) -> Vec<Element> {
-        match &self.content {
-            Content::Table(title, rows) => table(title, rows, size),
-            Content::Figure(figure) if is_plane(figure) => {
-                elements(figure, Page::Within(size), Style::SHEET, language).0
-            }
-            Content::Figure(figure) => elements(figure, Page::Of(size), Style::SHEET, language).0,
+    pub(crate) fn elements(&self, size: Size, language: &Language) -> Vec<Element> {
+        match (&self.content, size.page) {
+            (Content::Figure(figure), Some(page)) => elements(figure, page, Style::SHEET, language).0,
+            (Content::Table(title, rows), _) => table(title, rows, size.size),
+            (Content::Figure(_), None) => Vec::new(),
         }
     }
 }
 
-fn area(size: &[f64; 2]) -> f64 {
-    size.iter().product()
+fn area(of: &Size) -> f64 {
+    of.size.iter().product()
 }
 
 fn is_plane(figure: &Figure) -> bool {
@@ -91,7 +102,7 @@ fn pages(figure: &Figure, width: f64) -> Vec<Page> {
 
 fn columns(rows: &[[String; 2]]) -> [f64; 2] {
     let widest = |column: usize| {
-        rows.iter().map(|row| text_width(&row[column], Style::SHEET.em)).fold(0.0, f64::max) + 2.0 * BESIDE
+        rows.iter().map(|row| exact_width(&row[column], Style::SHEET.em)).fold(0.0, f64::max) + 2.0 * BESIDE
     };
     [widest(0), widest(1)]
 }
@@ -111,11 +122,7 @@ fn table(title: &str, rows: &[[String; 2]], [width, height]: [f64; 2]) -> Vec<El
         all.push(text([BESIDE, base(row + 1)], told, Anchor::Start));
         all.push(text([width - BESIDE, base(row + 1)], value, Anchor::End));
         let under = ROW * (row + 1) as f64;
-        all.push(Element::line(
-            [[0.0, under], [width, under]],
-            if row == 0 { style.line } else { style.fine },
-            Ink::Text,
-        ));
+        all.push(Element::line([[0.0, under], [width, under]], if row == 0 { style.line } else { style.fine }, Ink::Text));
     }
     let sides = [0.0, middle, width].map(|x| Element::line([[x, ROW], [x, height]], style.line, Ink::Text));
     all.extend(sides);

@@ -7,8 +7,8 @@ use assur_report::topic;
 use assur_scene::{Note, SheetField, SheetPositions};
 use assur_words::{Language, Text, joined, list, text};
 
-use crate::drawn::{Content, Drawn, titled};
 use crate::wanted;
+use crate::drawn::{Content, Drawn, titled};
 
 /// What all fields are drawn of.
 pub(crate) struct Source<'a> {
@@ -24,7 +24,7 @@ pub(crate) struct Source<'a> {
 const MECHANISM: (f64, f64) = (150.0, 4.0);
 const PLOTS: (f64, f64) = (120.0, 2.5);
 const PLAN: (f64, f64) = (70.0, 1.0);
-const STRUCTURE: (f64, f64) = (120.0, 1.0);
+const STRUCTURE: (f64, f64) = (120.0, 2.0);
 
 impl Source<'_> {
     /// The blocks of all fields that are wanted, in their order.
@@ -41,7 +41,9 @@ impl Source<'_> {
                 drawn.extend(self.figures(field, STRUCTURE, [assembly::groups(results, self.plans[0])]));
                 drawn
             }
-            SheetField::Diagrams => self.figures(field, PLOTS, [curves::of_last(results, &first)]),
+            SheetField::Diagrams => {
+                self.figures(field, PLOTS, [curves::of_last(results, &first)])
+            }
             SheetField::Velocities => self.of_positions(field, "sheet-velocities", ViewPart::Velocities),
             SheetField::Accelerations => {
                 self.of_positions(field, "sheet-accelerations", ViewPart::Accelerations)
@@ -104,9 +106,8 @@ impl Source<'_> {
         let linkage = &self.results.linkage;
         let (mechanism, structure) = (&linkage.mechanism, &linkage.structure);
         let groups = structure.groups.iter().enumerate().rev();
-        let groups = groups.map(|(index, group)| {
-            (structure.group_name(mechanism, index).short(), group.frame.links.clone())
-        });
+        let groups =
+            groups.map(|(index, group)| (structure.group_name(mechanism, index).short(), group.frame.links.clone()));
         let inputs = mechanism.input.placed();
         let inputs = inputs.map(|input| (Text::from(&mechanism.links[input].name), vec![input]));
         let bodies: Vec<_> = groups.chain(inputs).collect();
@@ -115,8 +116,7 @@ impl Source<'_> {
             let plans = self.found.plans.at(position);
             let Ok(sheet) = &plans.sheet else { continue };
             for (polygon, (plan, (of, links))) in sheet.polygons.iter().zip(&bodies).enumerate() {
-                let look = Look { polygon, ..self.look(position) };
-                let drawn = plans::figure(self.results, &look, ViewPart::Forces);
+                let drawn = plans::polygon(self.results, position, polygon, links);
                 if drawn.panels.is_empty() {
                     continue;
                 }
@@ -152,9 +152,12 @@ impl Source<'_> {
         /// Rows that a sheet has.
         const MOST: usize = 24;
         let facts = topic::summary(&self.found.analysis, &self.results.linkage);
-        let line = |text: &Text| text.render(self.language).replace('`', "");
-        let rows: Vec<_> =
-            facts.iter().map(|fact| [line(&fact.what()), line(&fact.with_unit())]).take(MOST).collect();
+        let line = |text: &Text| text.render(self.language).replace('`', "").replace("->", "→");
+        let rows: Vec<_> = facts
+            .iter()
+            .map(|fact| [line(&fact.what()), line(&fact.with_unit())])
+            .take(MOST)
+            .collect();
         let title = line(&text!("sheet-results"));
         let content = Content::Table(title, rows);
         Some(Drawn { field: SheetField::Results, content, weight: 1.0, least: 0.0 })

@@ -15,10 +15,10 @@ use assur_picture::Results;
 use assur_scene::{Note, SHEET_FIELDS, SheetField, SheetFormat};
 use assur_words::{Language, Text, text};
 
-use drawn::Drawn;
+use drawn::{Drawn, Size};
 use fields::Source;
-pub use format::Area;
 use format::{FORMATS, Standard};
+pub use format::Area;
 use layout::{Block, Placed};
 use title::Filling;
 
@@ -124,14 +124,24 @@ pub fn wanted(note: &Note) -> Vec<SheetField> {
 /// # Errors
 ///
 /// In words: no analysis, none of the fields has anything to show, or one is larger than the sheet.
-pub fn sheet(results: &Results, note: &Note, language: &Language) -> Result<Vec<Page>, Text> {
+pub fn sheet(
+    results: &Results,
+    note: &Note,
+    language: &Language,
+) -> Result<Vec<Page>, Text> {
+    let language = &language.with_digits(note.digits);
     let found = results.found.as_deref().ok_or_else(|| text!("sheet-no-results"))?;
     let wanted = if note.sheet.plans.is_empty() { &note.positions } else { &note.sheet.plans };
     let drawn = Source { results, found, note, language, plans: results.chosen(wanted) }.blocks();
     if drawn.is_empty() {
         return Err(text!("sheet-nothing"));
     }
-    let blocks: Vec<Block> = drawn.iter().map(|own| own.block(language)).collect();
+    let sizes: Vec<Vec<Size>> = drawn.iter().map(|own| own.sizes(language)).collect();
+    let block = |(own, sizes): (&Drawn, &Vec<Size>)| Block {
+        sizes: sizes.iter().map(|own| own.size).collect(),
+        weight: own.weight,
+    };
+    let blocks: Vec<Block> = drawn.iter().zip(&sizes).map(block).collect();
     let standard = Standard::of(language);
     let fits = |format: &SheetFormat| {
         let frame = standard.frame(format::size(*format));
@@ -149,23 +159,15 @@ pub fn sheet(results: &Results, note: &Note, language: &Language) -> Result<Vec<
         let filling = Filling { title, note, language, sheet: [number + 1, count] };
         let elements = title::elements(standard, format::size(format), &filling);
         let mut parts = vec![Part { field: None, elements }];
-        parts.extend(
-            placed
-                .iter()
-                .enumerate()
-                .map(|(at, own)| part(&drawn[first + at], &blocks[first + at], *own, language)),
-        );
+        parts.extend(placed.iter().enumerate().map(|(at, own)| part(&drawn[first + at], sizes[first + at][own.level], own.corner, language)));
         Page { format, size: format::size(format), frame: areas, parts }
     };
     Ok(sheets.iter().enumerate().map(page).collect())
 }
 
-fn part(drawn: &Drawn, block: &Block, placed: Placed, language: &Language) -> Part {
-    let elements = drawn.elements(block.sizes[placed.level], language).into_iter();
-    Part {
-        field: Some(drawn.field),
-        elements: elements.map(|element| element.moved(placed.corner)).collect(),
-    }
+fn part(drawn: &Drawn, size: Size, corner: [f64; 2], language: &Language) -> Part {
+    let elements = drawn.elements(size, language).into_iter();
+    Part { field: Some(drawn.field), elements: elements.map(|element| element.moved(corner)).collect() }
 }
 
 /// The blocks in so many sheets as they need, each with the number of its first block.

@@ -1,6 +1,7 @@
 //! Frame and title block.
 
-use assur_figure::{Anchor, Element, Ink, Style, text_width};
+use assur_figure::{Anchor, Element, Ink, Style};
+use assur_pdf::text_width;
 use assur_scene::Note;
 use assur_words::{Language, Text, text};
 
@@ -57,7 +58,7 @@ impl Block {
     fn text(&mut self, [x, y]: [f64; 2], words: &str, size: f64, anchor: Anchor, room: f64) {
         let [left, top] = self.corner;
         let mut text = Element::text([left + x, top + y], words, size, anchor, Ink::Text);
-        text.narrowed(room - 2.0 * BESIDE);
+        text.narrowed(text_width(words, size), room - 2.0 * BESIDE);
         if !words.is_empty() {
             self.all.push(text);
         }
@@ -71,15 +72,13 @@ impl Block {
             Anchor::End => right - BESIDE,
         };
         let room = right - left;
-        // What would be less than half as wide stands in two lines.
-        let lines = if text_width(words, size) > 1.6 * room && bottom - top > 2.6 * size {
-            halves(words)
-        } else {
-            vec![words]
-        };
-        let first = 0.5 * (top + bottom) + 0.365 * size - 0.65 * size * (lines.len() - 1) as f64;
+        // What would be much narrower than it is stands in several lines.
+        let most = ((bottom - top) / (1.4 * size)).floor().max(1.0);
+        let count = (text_width(words, size) / (1.1 * room)).ceil().clamp(1.0, most);
+        let lines = divided(words, 1.15 * text_width(words, size) / count, size);
+        let first = 0.5 * (top + bottom) + 0.365 * size - 0.65 * size * lines.len().saturating_sub(1) as f64;
         for (row, line) in lines.into_iter().enumerate() {
-            self.text([x, first + 1.3 * size * row as f64], line, size, anchor, room);
+            self.text([x, first + 1.3 * size * row as f64], &line, size, anchor, room);
         }
     }
 
@@ -88,40 +87,39 @@ impl Block {
         let [left, top, right, bottom] = area;
         self.rectangle(area, Style::SHEET.line);
         self.text([left + BESIDE, top + 3.4], &told.render(language), SMALL, Anchor::Start, right - left);
-        self.cell(
-            [left, top + 3.6, right, bottom],
-            value,
-            Style::SHEET.em.min(bottom - top - 4.4),
-            Anchor::Start,
-        );
+        self.cell([left, top + 3.6, right, bottom], value, Style::SHEET.em.min(bottom - top - 4.4), Anchor::Start);
     }
 }
 
-/// A text in two lines, divided at the space nearest to its middle.
-fn halves(words: &str) -> Vec<&str> {
-    let middle = words.len() / 2;
-    let spaces = words.match_indices(' ').map(|(at, _)| at);
-    match spaces.min_by_key(|at| at.abs_diff(middle)) {
-        Some(at) => vec![&words[..at], &words[at + 1..]],
-        None => vec![words],
+/// A text in lines of about this width, divided between its words.
+fn divided(words: &str, width: f64, size: f64) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for word in words.split(' ') {
+        match lines.last_mut() {
+            Some(line) if text_width(&format!("{line} {word}"), size) <= width => {
+                line.push(' ');
+                line.push_str(word);
+            }
+            _ => lines.push(word.to_owned()),
+        }
     }
+    lines
 }
 
 fn iso(block: &mut Block, filling: &Filling<'_>) {
     let (note, language) = (filling.note, filling.language);
-    let of = |text: &Option<Text>| text.as_ref().map_or_else(String::new, |text| text.render(language));
-    let own = note.sheet.number.clone().unwrap_or_default();
+    let of = |text: &Option<Text>| text.as_ref().map(|text| text.render(language)).unwrap_or_default();
     let [sheet, sheets] = filling.sheet;
     let rows = [
-        ([0.0, 0.0, 45.0, 9.0], text!("sheet-department"), String::new()),
-        ([45.0, 0.0, 90.0, 9.0], text!("sheet-technical-reference"), String::new()),
+        ([0.0, 0.0, 45.0, 9.0], text!("sheet-department"), of(&note.department)),
+        ([45.0, 0.0, 90.0, 9.0], text!("sheet-technical-reference"), of(&note.supervisor)),
         ([90.0, 0.0, 140.0, 9.0], text!("sheet-creator"), of(&note.author)),
         ([140.0, 0.0, 180.0, 9.0], text!("sheet-approval"), String::new()),
-        ([0.0, 9.0, 45.0, 36.0], text!("sheet-owner"), of(&note.group)),
+        ([0.0, 9.0, 45.0, 36.0], text!("sheet-owner"), owner(note, language)),
         ([45.0, 9.0, 120.0, 18.0], text!("sheet-document-type"), text!("sheet-drawing").render(language)),
         ([45.0, 18.0, 120.0, 36.0], text!("sheet-title"), filling.title.to_owned()),
         ([120.0, 9.0, 180.0, 18.0], text!("sheet-status"), String::new()),
-        ([120.0, 18.0, 180.0, 27.0], text!("sheet-number"), own),
+        ([120.0, 18.0, 180.0, 27.0], text!("sheet-number"), of(&note.sheet.number)),
         ([120.0, 27.0, 132.0, 36.0], text!("sheet-revision"), String::new()),
         ([132.0, 27.0, 155.0, 36.0], text!("sheet-date"), String::new()),
         ([155.0, 27.0, 167.0, 36.0], text!("sheet-language"), language.code.to_owned()),
@@ -136,8 +134,7 @@ fn iso(block: &mut Block, filling: &Filling<'_>) {
 fn gost(block: &mut Block, filling: &Filling<'_>) {
     let (note, language) = (filling.note, filling.language);
     let (thick, fine) = (Style::SHEET.thick, Style::SHEET.fine);
-    let of = |text: &Option<Text>| text.as_ref().map_or_else(String::new, |text| text.render(language));
-    let own = note.sheet.number.clone().unwrap_or_default();
+    let of = |text: &Option<Text>| text.as_ref().map(|text| text.render(language)).unwrap_or_default();
     let told = |text: Text| text.render(language);
     // Changes and signatures at the left.
     for row in 1..11 {
@@ -160,7 +157,7 @@ fn gost(block: &mut Block, filling: &Filling<'_>) {
     }
     let signed = [
         (text!("sheet-made"), of(&note.author)),
-        (text!("sheet-checked"), String::new()),
+        (text!("sheet-checked"), of(&note.supervisor)),
         (text!("sheet-technical-control"), String::new()),
         (Text::default(), String::new()),
         (text!("sheet-norm-control"), String::new()),
@@ -186,7 +183,7 @@ fn gost(block: &mut Block, filling: &Filling<'_>) {
     }
     block.line(&[[155.0, 35.0], [155.0, 40.0]], thick);
     let large = Style::SHEET.em;
-    block.cell([65.0, 0.0, 185.0, 15.0], &own, 1.4 * large, Anchor::Middle);
+    block.cell([65.0, 0.0, 185.0, 15.0], &of(&note.sheet.number), 1.4 * large, Anchor::Middle);
     block.cell([65.0, 15.0, 135.0, 40.0], filling.title, large, Anchor::Middle);
     let heads = [
         ([135.0, 15.0, 150.0, 20.0], text!("sheet-letter")),
@@ -200,5 +197,11 @@ fn gost(block: &mut Block, filling: &Filling<'_>) {
     let number = |what: Text, number: usize| format!("{} {number}", told(what));
     block.cell([135.0, 35.0, 155.0, 40.0], &number(text!("sheet-sheet"), sheet), SMALL, Anchor::Start);
     block.cell([155.0, 35.0, 185.0, 40.0], &number(text!("sheet-sheets"), sheets), SMALL, Anchor::Start);
-    block.cell([135.0, 40.0, 185.0, 55.0], &of(&note.group), large, Anchor::Middle);
+    block.cell([135.0, 40.0, 185.0, 55.0], &owner(note, language), large, Anchor::Middle);
+}
+
+/// The university, or the department, and the group of the author.
+fn owner(note: &Note, language: &Language) -> String {
+    let house = note.university.as_ref().or(note.department.as_ref());
+    assur_words::list(house.into_iter().chain(&note.group).cloned()).render(language)
 }

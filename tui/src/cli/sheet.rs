@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use assur_sheet::Form;
-use assur_words::{Language, Text, name, text};
+use assur_words::{Language, name, text};
 use clap::Args;
 
 use super::draw::analyzed;
@@ -36,8 +36,7 @@ pub(crate) fn sheet(args: &SheetArgs, language: Option<&str>, style: Style) -> R
     let note = &session.note;
     let language = language.or(note.language).and_then(Language::find).unwrap_or(style.language);
     let pages = assur_sheet::sheet(&results, note, language).map_err(Fault::Other)?;
-    let title = Text::from(&results.linkage.mechanism.title).render(language);
-    let files = form.write(&title, &pages).map_err(Fault::Other)?;
+    let files = form.write(&results.linkage.mechanism.title, &pages).map_err(Fault::Other)?;
     let names: Vec<PathBuf> = (0..files.len()).map(|number| numbered(&args.output, number)).collect();
     let outputs = names.iter().map(|name| Output::of(Some(name), path));
     let outputs = outputs.collect::<Result<Vec<_>, _>>()?;
@@ -52,7 +51,6 @@ fn numbered(path: &Path, sheet: usize) -> PathBuf {
     if sheet == 0 {
         return path.to_owned();
     }
-    let [stem, ending] =
-        [path.file_stem(), path.extension()].map(|part| part.unwrap_or_default().to_string_lossy());
+    let [stem, ending] = [path.file_stem(), path.extension()].map(|part| part.unwrap_or_default().to_string_lossy());
     path.with_file_name(format!("{stem}-{}.{ending}", sheet + 1))
 }

@@ -20,6 +20,7 @@ mod random;
 mod reading;
 mod readme;
 mod running;
+mod sheet;
 mod sizes;
 mod tasks;
 mod told;

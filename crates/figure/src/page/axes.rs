@@ -14,6 +14,8 @@ pub(super) const BELOW: f64 = 2.0;
 const FREE: f64 = 0.06;
 /// Least distance of the numbers of an axis, mm: horizontal, vertical.
 const APART: [f64; 2] = [16.0, 8.0];
+/// Room of the factor of the vertical axis beside the heading, in text sizes.
+const FACTOR: f64 = 9.0;
 /// Least numbers of an axis.
 const LEAST_NUMBERS: usize = 3;
 
@@ -28,14 +30,19 @@ pub(super) fn elements(
     let below = if shows_axis { BELOW * print.style.row() } else { 0.0 };
     let vertical = widened(y);
     let (em, fine_width) = (print.style.em, print.style.fine);
-    let mut elements = heading(panel, room, print);
+    let told = if print.style.axes_to_scale && y.scale.is_some() { FACTOR * em } else { 0.0 };
+    let mut elements = heading(panel, Room { width: room.width - told, ..room }, print);
     let above = print.style.row() * elements.len().max(1) as f64;
     let free = room.height - above - below - BORDER;
     let (left, top) = (room.left + numbers + 0.5 * em, room.top + above);
     let width = room.width - numbers - 0.5 * em - 2.0 * BORDER;
+    let mut below_told = None;
     let (width, vertical) = if print.style.axes_to_scale {
         let factors = [x.units_in_mm(width), vertical.units_in_mm(free)];
-        elements.extend(factors_told(panel, factors, shows_axis, room, above, print));
+        let corner = [room.left + room.width - BORDER, room.top + above - 0.5 * em];
+        let upright = factor_told(&vertical, factors[1], print);
+        elements.extend(upright.map(|told| print.text(corner, &told, Ink::Text, Anchor::End)));
+        below_told = factor_told(x, factors[0], print);
         to_scale(x, vertical, [width, free], factors)
     } else {
         (width, vertical)
@@ -65,7 +72,9 @@ pub(super) fn elements(
     elements.push(polygon(&[left[0], left[1], right[1], right[0]], fine_width, None, Ink::Text));
     if shows_axis {
         let corner = [plot.left + 0.5 * plot.width, plot.top + plot.height + 2.6 * em];
-        elements.push(print.text(corner, &x.label.render(print.language), Ink::Text, Anchor::Middle));
+        let label = x.label.render(print.language);
+        let label = below_told.map_or(label.clone(), |told| format!("{label}   {told}"));
+        elements.push(print.text(corner, &label, Ink::Text, Anchor::Middle));
     }
     if let Some(at) = cursor.as_ref().map(|cursor| cursor.at).filter(|at| (0.0..=1.0).contains(&x.part(*at)))
     {
@@ -116,23 +125,9 @@ fn to_scale(x: &Axis, vertical: Axis, [width, height]: [f64; 2], factors: [Optio
     (width, Axis { range: [low - more, high + more], ..vertical })
 }
 
-/// The factors of the axes, at the right above the plot; that of the horizontal axis below it, where its numbers are.
-fn factors_told(
-    panel: &Panel,
-    factors: [Option<f64>; 2],
-    shows_axis: bool,
-    room: Room,
-    above: f64,
-    print: &Print<'_>,
-) -> Vec<Element> {
-    let Frame::Axes { x, y, .. } = &panel.frame else { return Vec::new() };
-    let baselines = [room.top + room.height - 0.4 * print.style.em, room.top + above - 0.5 * print.style.em];
-    let told = |((axis, factor), baseline): ((&Axis, Option<f64>), f64)| {
-        let told = axis.scale.as_ref()?.factor(factor?)?.render(print.language);
-        Some(print.text([room.left + room.width - BORDER, baseline], &told, Ink::Text, Anchor::End))
-    };
-    let axes = [x, y].into_iter().zip(factors).zip(baselines);
-    axes.skip(usize::from(!shows_axis)).filter_map(told).collect()
+/// The factor of an axis in words.
+fn factor_told(axis: &Axis, factor: Option<f64>, print: &Print<'_>) -> Option<String> {
+    Some(axis.scale.as_ref()?.factor(factor?)?.render(print.language))
 }
 
 fn widened(axis: &Axis) -> Axis {

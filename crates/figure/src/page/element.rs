@@ -109,10 +109,10 @@ impl Element {
         Self { form: Form::Line { points: points.into(), dashes: &[], opacity: None }, ink, width }
     }
 
-    /// Makes the letters of a text narrow, so that it has this width at most, mm.
-    pub fn narrowed(&mut self, room: f64) {
-        if let Form::Text { words, size, narrow, .. } = &mut self.form {
-            *narrow = (room / text_width(words, *size)).min(1.0);
+    /// Makes the letters of a text narrow, so that what is so wide, mm, has this width at most.
+    pub fn narrowed(&mut self, width: f64, room: f64) {
+        if let Form::Text { narrow, .. } = &mut self.form {
+            *narrow = (room / width).min(1.0);
         }
     }
 
