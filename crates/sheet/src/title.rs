@@ -87,7 +87,12 @@ impl Block {
         let [left, top, right, bottom] = area;
         self.rectangle(area, Style::SHEET.line);
         self.text([left + BESIDE, top + 3.4], &told.render(language), SMALL, Anchor::Start, right - left);
-        self.cell([left, top + 3.6, right, bottom], value, Style::SHEET.em.min(bottom - top - 4.4), Anchor::Start);
+        self.cell(
+            [left, top + 3.6, right, bottom],
+            value,
+            Style::SHEET.em.min(bottom - top - 4.4),
+            Anchor::Start,
+        );
     }
 }
 
