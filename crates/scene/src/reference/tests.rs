@@ -7,8 +7,9 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use assur_mechanism::Key;
+use assur_words::Describe;
 
-use super::{Bound, Describe, KeyDefault, KeyTable, SceneKey, TABLES, ValueKind, key_of, search, table};
+use super::{Bound, KeyDefault, KeyTable, SceneKey, TABLES, ValueKind, key_of, search, table};
 use crate::edit::{bare, split};
 use crate::tests::fixtures;
 use crate::units::quantity;

@@ -237,7 +237,8 @@ fn build_at_random(steps: usize) {
 }
 
 fn random_event(state: &mut State, dice: &mut Dice) {
-    const KEYS: &str = "A Enter Enter Enter Tab S-Tab Right Left Up Down S-Right S-Up g % < > N D y T w i C E P u u C-r \
+    // Without the key that writes a file.
+    const KEYS: &str = "A Enter Enter Enter Tab S-Tab Right Left Up Down S-Right S-Up g % < > N D y T i C E P u u C-r \
                         PgDn PgUp Home Esc Space [ ] + - 0 Del Ins Backspace B 1 3 R";
     match dice.below(8) {
         0 => {
