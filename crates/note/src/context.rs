@@ -74,6 +74,9 @@ impl Context<'_> {
     }
 }
 
+/// Rows of planes in one figure: more of them don't fit on a page.
+const ROWS: usize = 2;
+
 /// A figure behind the sentence that names it by its number; `told`: the identity of the sentence. Nothing where it has no panels, or only
 /// curves that are zero.
 pub(super) fn show(
@@ -82,7 +85,16 @@ pub(super) fn show(
     (figure, size): (Figure, [f64; 2]),
     caption: Text,
 ) {
-    show_frames(page, told, (vec![figure], size), caption);
+    let is_plane = |panel: &Panel| matches!(panel.frame, Frame::Plane { .. });
+    let (rows, in_part) = (figure.rows(), ROWS * figure.columns.max(1));
+    if rows <= ROWS || !figure.panels.iter().all(is_plane) {
+        return show_frames(page, told, (vec![figure], size), caption);
+    }
+    for panels in figure.panels.chunks(in_part) {
+        let part = Figure { panels: panels.to_vec(), ..figure.clone() };
+        let size = [size[0], size[1] * part.rows() as f64 / rows as f64];
+        show_frames(page, told, (vec![part], size), caption.clone());
+    }
 }
 
 /// The same of a figure that moves on a screen.

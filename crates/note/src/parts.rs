@@ -2,7 +2,7 @@
 
 use assur_analysis::results::{Column, Failure, Owner, Quantity};
 use assur_book::{Block, Document};
-use assur_picture::{Look, Picture, ViewPart, assembly, curves, mechanism, motion, plans, regime};
+use assur_picture::{Look, Picture, Series, ViewPart, assembly, curves, mechanism, motion, plans, regime};
 use assur_report::topic;
 use assur_scene::Chapter;
 use assur_words::{Text, list, name, number, text};
@@ -29,10 +29,13 @@ const PANELS: [f64; 2] = [165.0, 85.0];
 /// Positions over each other.
 const OVER: usize = 12;
 
+/// Writes a part of the note.
+type Part = fn(&Context<'_>, &mut Document);
+
 pub(super) fn document(context: &Context<'_>) -> Result<Document, Text> {
     let mut page = Document::default();
     symbols::symbols(context, &mut page);
-    let parts: [(Chapter, fn(&Context<'_>, &mut Document)); 7] = [
+    let parts: [(Chapter, Part); 7] = [
         (Chapter::Results, main_results),
         (Chapter::Task, task),
         (Chapter::Structure, structure),
@@ -51,7 +54,7 @@ pub(super) fn document(context: &Context<'_>) -> Result<Document, Text> {
     if context.note.has(Chapter::Working) {
         formula::working(context, &mut page)?;
     }
-    let parts: [(Chapter, fn(&Context<'_>, &mut Document)); 4] = [
+    let parts: [(Chapter, Part); 4] = [
         (Chapter::Checks, checks),
         (Chapter::Model, limits),
         (Chapter::Conclusions, conclusions::conclusions),
@@ -92,8 +95,7 @@ fn curves(context: &Context<'_>, page: &mut Document) -> Result<(), Text> {
         };
         let picked: Vec<String> = names.iter().map(column).collect::<Result<_, _>>()?;
         let figure = curves::figure(context.results, &Look { picked: &picked, ..context.first() });
-        let titles =
-            picked.iter().filter_map(|short| context.results.named(short)).map(|series| series.title());
+        let titles = picked.iter().filter_map(|short| context.results.named(short)).map(Series::title);
         let caption = text!("note-curves-of", of = list(titles));
         show(page, "note-see-curves", (on_paper(figure), CURVES), caption);
     }

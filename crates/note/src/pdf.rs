@@ -169,21 +169,18 @@ fn cover(cover: &Cover, sheet: &NoteSheet<'_>, pages: &mut Pages) {
     let mut put = |(word, row): (Option<&Text>, Option<&Text>), size: f64, [x, above]: [f64; 2], anchor| {
         y += above;
         let word = word.map_or_else(String::new, |word| sheet.line(word) + ": ");
-        match row {
-            Some(row) => {
-                let lines = wrapped(&(word + &sheet.line(row)), WIDTH, size);
-                for (number, line) in lines.iter().enumerate() {
-                    y += if number > 0 { LINE * size } else { 0.0 };
-                    page.push(Element::text([x, y], line, size, anchor, Ink::Text));
-                }
+        if let Some(row) = row {
+            let lines = wrapped(&(word + &sheet.line(row)), WIDTH, size);
+            for (number, line) in lines.iter().enumerate() {
+                y += if number > 0 { LINE * size } else { 0.0 };
+                page.push(Element::text([x, y], line, size, anchor, Ink::Text));
             }
-            None => {
-                let width = assur_pdf::text_width(&word, size);
-                let from = if anchor == Anchor::Middle { x - 0.5 * (width + RULE) } else { x };
-                page.push(Element::text([from, y], &word, size, Anchor::Start, Ink::Text));
-                let ends = [[from + width, y + 0.8], [from + width + RULE, y + 0.8]];
-                page.push(Element::line(ends, FINE, Ink::Text));
-            }
+        } else {
+            let width = assur_pdf::text_width(&word, size);
+            let from = if anchor == Anchor::Middle { x - 0.5 * (width + RULE) } else { x };
+            page.push(Element::text([from, y], &word, size, Anchor::Start, Ink::Text));
+            let ends = [[from + width, y + 0.8], [from + width + RULE, y + 0.8]];
+            page.push(Element::line(ends, FINE, Ink::Text));
         }
     };
     for row in &cover.above {

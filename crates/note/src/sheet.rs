@@ -60,7 +60,9 @@ impl NoteSheet<'_> {
 
     /// The headings of the chapters, each with its number from 1.
     pub(super) fn chapters(&self) -> impl Iterator<Item = (usize, &Text)> {
-        let heading = |block| if let &Block::Heading(ref title) = block { Some(title) } else { None };
+        fn heading(block: &Block) -> Option<&Text> {
+            if let Block::Heading(title) = block { Some(title) } else { None }
+        }
         self.blocks.iter().filter_map(heading).enumerate().map(|(index, title)| (index + 1, title))
     }
 

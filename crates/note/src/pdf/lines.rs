@@ -11,7 +11,7 @@ pub(super) fn wrapped(words: &str, width: f64, size: f64) -> Vec<String> {
             Some(longer) => *lines.last_mut().expect("a line is longer") = longer,
             None => lines.push(word),
         }
-        while let Some(rest) = lines.last_mut().filter(|line| !fits(line)).and_then(|line| cut(line, &fits)) {
+        while let Some(rest) = lines.last_mut().filter(|line| !fits(line)).and_then(|line| cut(line, fits)) {
             lines.push(rest);
         }
     }

@@ -22,7 +22,9 @@ pub(super) fn put(pages: &mut Pages, caption: &str, grid: &Grid) {
     let caption = wrapped(caption, WIDTH, SMALL);
     let first: f64 = rows.iter().take(TOGETHER).map(|row| high(row)).sum();
     pages.need(LINE * SMALL * caption.len() as f64 + high(&head) + first + APART);
-    caption.iter().for_each(|line| pages.line(line, SMALL, 0.0));
+    for line in &caption {
+        pages.line(line, SMALL, 0.0);
+    }
     pages.y += APART;
     row(pages, &head, (&widths, &right));
     for cells in &rows {
