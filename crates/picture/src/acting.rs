@@ -134,9 +134,8 @@ impl<'a> Acting<'a> {
             let several = shown.iter().filter(|(own, _)| *own == pair).count() > 1;
             let link = if several { format!(",{on}") } else { String::new() };
             let joint = || Text::from(&force.joint.name);
-            let symbols = ["R", "M"].map(|letter| {
-                joined("", [name(format!("{letter}_{{")), joint(), name(format!("{link}}}"))])
-            });
+            let symbols = ["R", "M"]
+                .map(|letter| joined("", [name(format!("{letter}_{{")), joint(), name(format!("{link}}}"))]));
             self.act(at, force.force, force.moment.unwrap_or_default(), symbols, &told, Ink::First);
         }
         let balanced = |link| self.concerns(link);

@@ -107,7 +107,8 @@ pub fn lever(results: &Results, look: &Look<'_>) -> Figure {
     let Some((construction, last)) = chosen_step(&plans, step) else { return drawn };
     // The velocities are named by their points.
     let unit = construction.steps.iter().find(|step| step.kind == VectorKind::Absolute).map(|step| step.unit);
-    let forces = construction.steps[..=last].iter().filter(|step| step.unit == "N" && step.drawing == Drawing::Lever);
+    let forces =
+        construction.steps[..=last].iter().filter(|step| step.unit == "N" && step.drawing == Drawing::Lever);
     let legend = plots::limited(forces.filter_map(|step| key_of_step(step, unit)).collect());
     Figure { legend, ..drawn }
 }

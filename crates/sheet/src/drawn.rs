@@ -122,7 +122,11 @@ fn table(title: &str, rows: &[[String; 2]], [width, height]: [f64; 2]) -> Vec<El
         all.push(text([BESIDE, base(row + 1)], told, Anchor::Start));
         all.push(text([width - BESIDE, base(row + 1)], value, Anchor::End));
         let under = ROW * (row + 1) as f64;
-        all.push(Element::line([[0.0, under], [width, under]], if row == 0 { style.line } else { style.fine }, Ink::Text));
+        all.push(Element::line(
+            [[0.0, under], [width, under]],
+            if row == 0 { style.line } else { style.fine },
+            Ink::Text,
+        ));
     }
     let sides = [0.0, middle, width].map(|x| Element::line([[x, ROW], [x, height]], style.line, Ink::Text));
     all.extend(sides);

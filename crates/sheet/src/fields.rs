@@ -7,8 +7,8 @@ use assur_report::topic;
 use assur_scene::{Note, SheetField, SheetPositions};
 use assur_words::{Language, Text, joined, list, text};
 
-use crate::wanted;
 use crate::drawn::{Content, Drawn, titled};
+use crate::wanted;
 
 /// What all fields are drawn of.
 pub(crate) struct Source<'a> {
@@ -41,9 +41,7 @@ impl Source<'_> {
                 drawn.extend(self.figures(field, STRUCTURE, [assembly::groups(results, self.plans[0])]));
                 drawn
             }
-            SheetField::Diagrams => {
-                self.figures(field, PLOTS, [curves::of_last(results, &first)])
-            }
+            SheetField::Diagrams => self.figures(field, PLOTS, [curves::of_last(results, &first)]),
             SheetField::Velocities => self.of_positions(field, "sheet-velocities", ViewPart::Velocities),
             SheetField::Accelerations => {
                 self.of_positions(field, "sheet-accelerations", ViewPart::Accelerations)
@@ -106,8 +104,9 @@ impl Source<'_> {
         let linkage = &self.results.linkage;
         let (mechanism, structure) = (&linkage.mechanism, &linkage.structure);
         let groups = structure.groups.iter().enumerate().rev();
-        let groups =
-            groups.map(|(index, group)| (structure.group_name(mechanism, index).short(), group.frame.links.clone()));
+        let groups = groups.map(|(index, group)| {
+            (structure.group_name(mechanism, index).short(), group.frame.links.clone())
+        });
         let inputs = mechanism.input.placed();
         let inputs = inputs.map(|input| (Text::from(&mechanism.links[input].name), vec![input]));
         let bodies: Vec<_> = groups.chain(inputs).collect();
@@ -152,12 +151,9 @@ impl Source<'_> {
         /// Rows that a sheet has.
         const MOST: usize = 24;
         let facts = topic::summary(&self.found.analysis, &self.results.linkage);
-        let line = |text: &Text| text.render(self.language).replace('`', "").replace("->", "→");
-        let rows: Vec<_> = facts
-            .iter()
-            .map(|fact| [line(&fact.what()), line(&fact.with_unit())])
-            .take(MOST)
-            .collect();
+        let line = |text: &Text| text.render(self.language).replace('`', "");
+        let rows: Vec<_> =
+            facts.iter().map(|fact| [line(&fact.what()), line(&fact.with_unit())]).take(MOST).collect();
         let title = line(&text!("sheet-results"));
         let content = Content::Table(title, rows);
         Some(Drawn { field: SheetField::Results, content, weight: 1.0, least: 0.0 })

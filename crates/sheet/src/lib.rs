@@ -10,15 +10,15 @@ mod layout;
 pub mod preview;
 mod title;
 
-use assur_figure::{Element, dxf, svg};
+use assur_figure::{Element, Form as Outline, dxf, svg};
 use assur_picture::Results;
 use assur_scene::{Note, SHEET_FIELDS, SheetField, SheetFormat};
 use assur_words::{Language, Text, text};
 
 use drawn::{Drawn, Size};
 use fields::Source;
-use format::{FORMATS, Standard};
 pub use format::Area;
+use format::{FORMATS, Standard};
 use layout::{Block, Placed};
 use title::Filling;
 
@@ -124,11 +124,7 @@ pub fn wanted(note: &Note) -> Vec<SheetField> {
 /// # Errors
 ///
 /// In words: no analysis, none of the fields has anything to show, or one is larger than the sheet.
-pub fn sheet(
-    results: &Results,
-    note: &Note,
-    language: &Language,
-) -> Result<Vec<Page>, Text> {
+pub fn sheet(results: &Results, note: &Note, language: &Language) -> Result<Vec<Page>, Text> {
     let language = &language.with_digits(note.digits);
     let found = results.found.as_deref().ok_or_else(|| text!("sheet-no-results"))?;
     let wanted = if note.sheet.plans.is_empty() { &note.positions } else { &note.sheet.plans };
@@ -155,19 +151,31 @@ pub fn sheet(
     let count = sheets.len();
     let title = Text::from(&results.linkage.mechanism.title).render(language);
     let title = title.as_str();
-    let page = |(number, (first, placed)): (usize, &(usize, Vec<Placed>))| {
-        let filling = Filling { title, note, language, sheet: [number + 1, count] };
-        let elements = title::elements(standard, format::size(format), &filling);
-        let mut parts = vec![Part { field: None, elements }];
-        parts.extend(placed.iter().enumerate().map(|(at, own)| part(&drawn[first + at], sizes[first + at][own.level], own.corner, language)));
-        Page { format, size: format::size(format), frame: areas, parts }
-    };
+    let page =
+        |(number, (first, placed)): (usize, &(usize, Vec<Placed>))| {
+            let filling = Filling { title, note, language, sheet: [number + 1, count] };
+            let elements = title::elements(standard, format::size(format), &filling);
+            let mut parts = vec![Part { field: None, elements }];
+            parts.extend(placed.iter().enumerate().map(|(at, own)| {
+                part(&drawn[first + at], sizes[first + at][own.level], own.corner, language)
+            }));
+            Page { format, size: format::size(format), frame: areas, parts }
+        };
     Ok(sheets.iter().enumerate().map(page).collect())
 }
 
 fn part(drawn: &Drawn, size: Size, corner: [f64; 2], language: &Language) -> Part {
     let elements = drawn.elements(size, language).into_iter();
-    Part { field: Some(drawn.field), elements: elements.map(|element| element.moved(corner)).collect() }
+    let placed = |element: Element| printed(element).moved(corner);
+    Part { field: Some(drawn.field), elements: elements.map(placed).collect() }
+}
+
+/// A text with the signs of print.
+fn printed(mut element: Element) -> Element {
+    if let Outline::Text { words, .. } = &mut element.form {
+        *words = words.replace("->", "→");
+    }
+    element
 }
 
 /// The blocks in so many sheets as they need, each with the number of its first block.

@@ -20,7 +20,8 @@ fn pages(scene: &str, language: &str) -> Vec<Page> {
     let options = Options::default();
     let plan = plan(&mechanism, &structure, &options);
     let linkage = Arc::new(Linkage::compile_for(mechanism, structure, &all).unwrap());
-    let calculation = Calculation::planned(Arc::clone(&linkage), plan, None, &options, &mut unwatched).unwrap();
+    let calculation =
+        Calculation::planned(Arc::clone(&linkage), plan, None, &options, &mut unwatched).unwrap();
     let found = Found::of(calculation, Arc::clone(&linkage), &options, &mut unwatched).unwrap();
     let mut results = Results::of(linkage).unwrap();
     results.take(Box::new(found));
@@ -41,14 +42,17 @@ fn fields_have_paper_of_their_own_and_cover_most_of_it() {
                 assert!(page.covered() >= 0.6, "{place}: {}", page.covered());
                 let [frame, title] = page.frame;
                 let fields: Vec<_> = page.parts.iter().filter(|part| part.field.is_some()).collect();
-                let areas: Vec<_> = fields.iter().filter_map(|part| Some((part.field, part.area()?))).collect();
+                let areas: Vec<_> =
+                    fields.iter().filter_map(|part| Some((part.field, part.area()?))).collect();
                 for (index, (field, area)) in areas.iter().enumerate() {
                     let others = areas[..index].iter().map(|(_, area)| area).chain([&title]);
                     for other in others {
-                        let meets = (0..2).all(|axis| area[axis] < other[axis + 2] && other[axis] < area[axis + 2]);
+                        let meets =
+                            (0..2).all(|axis| area[axis] < other[axis + 2] && other[axis] < area[axis + 2]);
                         assert!(!meets, "{place} {field:?}: {area:?} meets {other:?}");
                     }
-                    let inside = (0..2).all(|axis| area[axis] >= frame[axis] && area[axis + 2] <= frame[axis + 2]);
+                    let inside =
+                        (0..2).all(|axis| area[axis] >= frame[axis] && area[axis + 2] <= frame[axis + 2]);
                     assert!(inside, "{place} {field:?}: {area:?} leaves {frame:?}");
                 }
             }
@@ -67,4 +71,3 @@ fn texts_are_large_enough_and_lines_have_three_widths() {
         }
     }
 }
-

@@ -51,6 +51,7 @@ fn numbered(path: &Path, sheet: usize) -> PathBuf {
     if sheet == 0 {
         return path.to_owned();
     }
-    let [stem, ending] = [path.file_stem(), path.extension()].map(|part| part.unwrap_or_default().to_string_lossy());
+    let [stem, ending] =
+        [path.file_stem(), path.extension()].map(|part| part.unwrap_or_default().to_string_lossy());
     path.with_file_name(format!("{stem}-{}.{ending}", sheet + 1))
 }
