@@ -10,7 +10,7 @@ mod layout;
 pub mod preview;
 mod title;
 
-use assur_figure::{Element, dxf, svg};
+use assur_figure::{Element, Form as Outline, dxf, svg};
 use assur_picture::Results;
 use assur_scene::{Note, SHEET_FIELDS, SheetField, SheetFormat};
 use assur_words::{Language, Text, text};
@@ -166,7 +166,16 @@ pub fn sheet(results: &Results, note: &Note, language: &Language) -> Result<Vec<
 
 fn part(drawn: &Drawn, size: Size, corner: [f64; 2], language: &Language) -> Part {
     let elements = drawn.elements(size, language).into_iter();
-    Part { field: Some(drawn.field), elements: elements.map(|element| element.moved(corner)).collect() }
+    let placed = |element: Element| printed(element).moved(corner);
+    Part { field: Some(drawn.field), elements: elements.map(placed).collect() }
+}
+
+/// A text with the signs of print.
+fn printed(mut element: Element) -> Element {
+    if let Outline::Text { words, .. } = &mut element.form {
+        *words = words.replace("->", "→");
+    }
+    element
 }
 
 /// The blocks in so many sheets as they need, each with the number of its first block.

@@ -73,9 +73,10 @@ impl Block {
         };
         let room = right - left;
         // What would be much narrower than it is stands in several lines.
-        let most = ((bottom - top) / (1.4 * size)).floor().max(1.0);
-        let count = (text_width(words, size) / (1.1 * room)).ceil().clamp(1.0, most);
-        let lines = divided(words, 1.15 * text_width(words, size) / count, size);
+        let fits = |count: &usize| *count as f64 * 1.4 * size <= bottom - top;
+        let is_wide = |count: &usize| text_width(words, size) > *count as f64 * 1.1 * room;
+        let count = (1..).take_while(|count| *count == 1 || (fits(count) && is_wide(&(count - 1)))).last();
+        let lines = divided(words, count.unwrap_or(1), size);
         let first = 0.5 * (top + bottom) + 0.365 * size - 0.65 * size * lines.len().saturating_sub(1) as f64;
         for (row, line) in lines.into_iter().enumerate() {
             self.text([x, first + 1.3 * size * row as f64], &line, size, anchor, room);
@@ -96,8 +97,22 @@ impl Block {
     }
 }
 
-/// A text in lines of about this width, divided between its words.
-fn divided(words: &str, width: f64, size: f64) -> Vec<String> {
+/// A text in at most so many lines, about equally long, divided between its words.
+fn divided(words: &str, count: usize, size: f64) -> Vec<String> {
+    /// By how much lines grow until there are few enough.
+    const MORE: f64 = 1.1;
+    let mut width = text_width(words, size) / count.max(1) as f64;
+    loop {
+        let lines = wrapped(words, width, size);
+        if lines.len() <= count.max(1) {
+            return lines;
+        }
+        width *= MORE;
+    }
+}
+
+/// A text in lines of this width, of a word at least.
+fn wrapped(words: &str, width: f64, size: f64) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for word in words.split(' ') {
         match lines.last_mut() {
