@@ -33,7 +33,7 @@ pub struct Axis {
     /// How its numbers are spread.
     pub kind: AxisKind,
     /// What its numbers measure, told with the scale of a drawing sheet.
-    pub scale: Option<Scale>,
+    pub scale: Option<Box<Scale>>,
 }
 
 /// A range this small compared with its ends is one value.
@@ -70,7 +70,7 @@ impl Axis {
     /// The axis of numbers in this unit.
     #[must_use]
     pub fn measuring(self, unit: &str) -> Self {
-        Self { scale: Scale::measuring(unit), ..self }
+        Self { scale: Scale::measuring(unit).map(Box::new), ..self }
     }
 
     /// Units in a millimeter, a round number, where the axis is at most this long; `None` of an axis without equal steps of a unit.

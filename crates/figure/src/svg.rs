@@ -8,7 +8,7 @@ use crate::model::{Figure, Point};
 pub use crate::page::EM;
 use crate::page::{Anchor, Element, Form, Page, Style, color, elements};
 
-/// Letters of the Latin, Greek and Cyrillic alphabets and the signs of formulas, from DejaVu Sans: for who paints a figure or gives it along
+/// Letters of the Latin, Greek and Cyrillic alphabets and the signs of formulas, from `DejaVu Sans`: for who paints a figure or gives it along
 /// with its letters.
 pub static FONT: &[u8] = include_bytes!("../font/DejaVuSans-subset.ttf");
 
