@@ -174,8 +174,26 @@ pub(super) fn ask_delete(state: &mut State) {
     let Some(chosen) = state.build.chosen.clone() else {
         return state.say(Role::Plain, text!("build-nothing-chosen"));
     };
-    let parts = with_dependents(state.draft.text(), &[chosen]);
+    let parts = with_dependents(state.draft.text(), &group(state, &chosen).unwrap_or_else(|| vec![chosen]));
     state.build.task = Task::Delete(parts);
+}
+
+/// The links that go with a link: its group, and the groups that are joined to those that go. `None` for a link of no group, or while
+/// the text is no mechanism.
+fn group(state: &State, chosen: &Part) -> Option<Vec<Part>> {
+    let Part::Link(link) = chosen else { return None };
+    let scene = state.scene.as_ref().filter(|scene| *scene.session.text == **state.draft.text())?;
+    let (mechanism, groups) = (&scene.linkage.mechanism, &scene.linkage.structure.groups);
+    let link = mechanism.link(link)?;
+    let mut gone: Vec<usize> = Vec::new();
+    for group in groups {
+        let frame = &group.frame;
+        if frame.links.contains(&link) || frame.carriers().any(|carrier| gone.contains(&carrier)) {
+            gone.extend(&frame.links);
+        }
+    }
+    let parts = gone.into_iter().map(|link| Part::Link(mechanism.links[link].name.to_string()));
+    Some(parts.collect()).filter(|parts: &Vec<Part>| !parts.is_empty())
 }
 
 /// The answer to the question whether parts may go.

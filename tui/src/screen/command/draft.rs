@@ -144,7 +144,9 @@ pub(super) fn reloaded(state: &mut State, scene: &Scene, again: bool) {
     if again {
         let text = match dropped {
             0 => text!("say-reread"),
-            _ => text!("say-reread-dropped", count = dropped),
+            _ => {
+                text!("say-reread-dropped", count = dropped, undo = name(state.keys.first("undo")))
+            }
         };
         state.say(Role::Good, text);
     }
@@ -204,7 +206,10 @@ pub(super) fn save_line(state: &mut State, file: &str) {
         let undo = name(state.keys.first("undo"));
         return state.say(Role::Bad, text!("say-change-not-taken", undo = undo));
     }
-    let (path, content) = (home(file), state.draft.text().as_bytes().to_vec());
+    let (mut path, content) = (home(file), state.draft.text().as_bytes().to_vec());
+    if path.extension().is_none() && !path.is_dir() {
+        path.set_extension("toml");
+    }
     // Its own file is replaced without a question, if nobody else has changed it.
     let overwrite =
         matches!(&state.draft.source, Source::File(own) if *own == path) && state.draft.is_known(&path);

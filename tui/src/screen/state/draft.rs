@@ -110,12 +110,15 @@ impl Draft {
         Self { step: FIRST_STEP, values, own, opened, shown, text, source, opening, ..Self::default() }
     }
 
-    /// The draft of a scene that replaces another one; `again`: it is the same scene, reread, so the list stays open.
+    /// The draft of a scene that replaces another one; `again`: it is the same scene, reread, so the list stays open, and the changes that
+    /// are dropped are a step that can be taken back.
     pub(crate) fn next(&self, scene: &Scene, again: bool) -> Self {
         let fresh = Self { opening: self.opening + 1, ..Self::of(Some(scene)) };
         if again {
             let chosen = self.chosen.min(fresh.values.len().saturating_sub(1));
-            Self { open: self.open, step: self.step, chosen, ..fresh }
+            let mut done = self.done.clone();
+            done.extend(Some(&self.text).filter(|text| **text != fresh.text).cloned());
+            Self { open: self.open, step: self.step, chosen, done, ..fresh }
         } else {
             fresh
         }

@@ -1,6 +1,7 @@
 //! The file as it is now, with the lines that the last step has written.
 
 use ratatui::layout::Rect;
+use similar::{ChangeTag, TextDiff};
 
 use crate::screen::draw::{Pen, cut, short};
 use crate::screen::state::Role;
@@ -15,11 +16,12 @@ pub(super) fn draw(pen: &mut Pen<'_>, area: Rect) {
     let inner = Rect { y: area.y + 1, height: area.height.saturating_sub(1), ..area };
     let (text, before) = (state.draft.text(), state.draft.before());
     let lines: Vec<&str> = text.lines().collect();
-    let written = before.map_or(0..0, |before| differing(before, text));
+    let written = before.map_or_else(Vec::new, |before| differing(before, text));
     let height = usize::from(inner.height);
     let last = lines.len().saturating_sub(height);
-    let middle = usize::midpoint(written.start, written.end);
-    let first = state.build.line.unwrap_or_else(|| middle.saturating_sub(height / 2)).min(last);
+    // The first line of what was written has some of the lines above it.
+    let top = written.first().copied().unwrap_or_default().saturating_sub(height / 3);
+    let first = state.build.line.unwrap_or(top).min(last);
     for (row, (index, line)) in lines.iter().enumerate().skip(first).take(height).enumerate() {
         let is_written = written.contains(&index);
         let (sign, role) = if is_written { ("+", Role::Chosen) } else { (" ", Role::Plain) };
@@ -34,11 +36,9 @@ pub(super) fn draw(pen: &mut Pen<'_>, area: Rect) {
     pen.mark_rows(inner, first..lines.len().min(first + height), lines.len());
 }
 
-/// The lines of a text that differ from those of the text before.
-fn differing(before: &str, after: &str) -> std::ops::Range<usize> {
-    let (before, after): (Vec<&str>, Vec<&str>) = (before.lines().collect(), after.lines().collect());
-    let start = before.iter().zip(&after).take_while(|(a, b)| a == b).count();
-    let rest = before[start..].iter().rev().zip(after[start..].iter().rev());
-    let end = after.len() - rest.take_while(|(a, b)| a == b).count();
-    start..end.max(start)
+/// The lines of a text that those of the text before have not.
+fn differing(before: &str, after: &str) -> Vec<usize> {
+    let difference = TextDiff::from_lines(before, after);
+    let inserted = difference.iter_all_changes().filter(|change| change.tag() == ChangeTag::Insert);
+    inserted.filter_map(|change| change.new_index()).collect()
 }

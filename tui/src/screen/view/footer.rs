@@ -65,7 +65,11 @@ pub(super) fn draw(pen: &mut Pen<'_>, area: Rect) {
             let text = state.told(text!("list-keys", mark = mark, close = close)) + limits;
             pen.put(area, 1, 0, &text, Role::Plain);
         }
-        _ => draw_hints(pen, area),
+        _ => match building(state) {
+            // Below a message, in one row.
+            Some(hint) => pen.tell(area, 1, 0, hint, Role::Plain),
+            None => draw_hints(pen, area),
+        },
     }
 }
 
