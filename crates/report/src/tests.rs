@@ -53,7 +53,7 @@ fn analysis(angle: f64) -> Analysis {
     let mut motion = Schema::new(&mechanism);
     motion.add(Section::ALWAYS, [Column::of(Quantity::Time, Owner::Input), Column::COORDINATE]);
     Analysis {
-        title: "a \"title\", with Ж and 🦀".to_owned(),
+        title: "a \"title\", with Ж and 🦀".into(),
         input: InputReport {
             link: Named { id: 1, name: "größe".into() },
             pair: None,

@@ -60,6 +60,6 @@ fn few_rows_of_many_owners_stand_as_a_row_for_each_owner() {
 #[test]
 fn a_small_ratio_beside_a_great_one_is_no_rounding() {
     let sizes = [4e15, 4e15];
-    assert_eq!(crate::Digits::Ratio.write(3.86, sizes).to_string(), "3.86");
-    assert_eq!(crate::Digits::Even.write(3.86, sizes).to_string(), "0");
+    assert_eq!(crate::Digits::Ratio.write(3.86, sizes, 6).to_string(), "3.86");
+    assert_eq!(crate::Digits::Even.write(3.86, sizes, 6).to_string(), "0");
 }

@@ -23,7 +23,7 @@ fn the_extent_ignores_what_is_no_number() {
 }
 
 fn texts(kind: AxisKind, range: [f64; 2], most: usize) -> Vec<String> {
-    Axis { label: Text::default(), range, kind }
+    Axis { label: Text::default(), range, kind, scale: None }
         .ticks(most)
         .into_iter()
         .map(|(_, text)| text.to_string())
@@ -75,7 +75,7 @@ fn other_ticks_are_round() {
 #[test]
 fn a_place_on_an_axis_leads_back_to_its_value() {
     for kind in [AxisKind::Linear, AxisKind::Degrees, AxisKind::Logarithmic] {
-        let axis = Axis { label: Text::default(), range: [0.5, 300.0], kind };
+        let axis = Axis { label: Text::default(), range: [0.5, 300.0], kind, scale: None };
         for value in [0.5, 2.0, 77.0, 300.0] {
             assert!((axis.value(axis.part(value)) - value).abs() < 1e-12 * value, "{kind:?} {value}");
         }

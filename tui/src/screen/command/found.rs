@@ -24,7 +24,7 @@ pub(super) fn fault(state: &mut State) {
         let things = state.build.things();
         match things
             .into_iter()
-            .find(|part| matches!(part, Part::Link(link) if *key == Key::of("link").at(link)))
+            .find(|part| matches!(part, Part::Link(link) if *key == Key::of("link").at(link.as_str())))
         {
             // A fault of a link as a whole has no field: the link is chosen.
             Some(part) => (state.build.chosen, state.build.task) = (Some(part), Task::Choose),
