@@ -184,7 +184,11 @@ fn a_scene_without_loads_says_so() {
 fn the_key_of_arrows_goes_through_loads_and_reactions() {
     let mut state = opened("shaper-drive");
     state.position = 5;
+    // The loads of the scene alone, before those with weights, inertia loads and the drive.
     press(&mut state, "v v v");
+    let frame = text(&state, 110, 40);
+    assert!(frame.contains("F6 cutting  1500.0 N") && !frame.contains("weight of ram"), "{frame}");
+    press(&mut state, "v");
     let frame = text(&state, 110, 40);
     for told in ["F6 cutting  1500.0 N", "weight of ram", "Md moment of the", "| 1000 N", "| 100 mm"] {
         assert!(frame.contains(told), "{told}: {frame}");
