@@ -1,7 +1,7 @@
 //! The licenses of all crates that are linked into the program: `cargo metadata --format-version 1 --filter-platform TARGET |
 //! cargo run -p assur-tests --example licenses`. For `.ci/package`.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::error::Error;
 use std::fmt::Write as _;
 use std::fs;
@@ -62,16 +62,16 @@ fn linked<'a>(metadata: &'a Metadata, program: &str) -> BTreeMap<(&'a str, &'a s
         metadata.resolve.nodes.iter().map(|node| (node.id.as_str(), node)).collect();
     let roots = metadata.packages.iter().filter(|package| package.name == program);
     let mut open: Vec<&str> = roots.map(|package| package.id.as_str()).collect();
-    let mut seen = BTreeMap::new();
+    let mut seen = BTreeSet::new();
     while let Some(id) = open.pop() {
-        if seen.insert(id, ()).is_none() {
+        if seen.insert(id) {
             let dependencies = nodes.get(id).map_or(&[][..], |node| &node.deps);
             let linked =
                 dependencies.iter().filter(|other| other.dep_kinds.iter().any(|kind| kind.kind.is_none()));
             open.extend(linked.map(|other| other.pkg.as_str()));
         }
     }
-    let foreign = seen.keys().filter_map(|id| packages.get(id)).filter(|package| package.source.is_some());
+    let foreign = seen.iter().filter_map(|id| packages.get(id)).filter(|package| package.source.is_some());
     foreign.map(|package| ((package.name.as_str(), package.version.as_str()), *package)).collect()
 }
 

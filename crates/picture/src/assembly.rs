@@ -99,9 +99,9 @@ pub fn loaded(results: &Results, position: usize, links: &[LinkId]) -> Figure {
 /// The positions in which the output, the first slide or link of the ground that goes to and fro, turns back.
 fn dead(results: &Results) -> Vec<Position> {
     let Ok(found) = overview(&results.linkage) else { return Vec::new() };
-    let courses =
+    let mut courses =
         found.slides.iter().map(|(_, course)| course).chain(found.links.iter().map(|(_, course)| course));
-    let stroke = courses.filter_map(|course| course.stroke.as_ref()).next();
+    let stroke = courses.find_map(|course| course.stroke.as_ref());
     let solved = |at: &f64| {
         let mut pose = results.linkage.position();
         results.linkage.solve(*at, Order::Place, &mut pose).ok().map(|()| pose)

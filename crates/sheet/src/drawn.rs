@@ -62,7 +62,7 @@ impl Drawn {
         while width <= MOST {
             for page in pages(figure, width) {
                 let own = Size { size: size(figure, page, Style::SHEET, language), page: Some(page) };
-                if sizes.iter().all(|known| known.size != own.size) {
+                if sizes.iter().all(|known| known.size.map(f64::to_bits) != own.size.map(f64::to_bits)) {
                     sizes.push(own);
                 }
             }

@@ -33,15 +33,16 @@ impl Source<'_> {
     }
 
     fn field(&self, field: SheetField) -> Vec<Drawn> {
-        let (results, first) = (self.results, self.look(self.plans[0]));
+        let (results, first) = (self.results, look(self.plans[0]));
         match field {
             SheetField::Mechanism => {
                 let all = assembly::positions(results, &self.positions(), self.plans[0]);
-                let mut drawn = self.figures(field, MECHANISM, [titled_first(all, text!("sheet-positions"))]);
-                drawn.extend(self.figures(field, STRUCTURE, [assembly::groups(results, self.plans[0])]));
+                let mut drawn =
+                    Self::figures(field, MECHANISM, [titled_first(all, text!("sheet-positions"))]);
+                drawn.extend(Self::figures(field, STRUCTURE, [assembly::groups(results, self.plans[0])]));
                 drawn
             }
-            SheetField::Diagrams => self.figures(field, PLOTS, [curves::of_last(results, &first)]),
+            SheetField::Diagrams => Self::figures(field, PLOTS, [curves::of_last(results, &first)]),
             SheetField::Velocities => self.of_positions(field, "sheet-velocities", ViewPart::Velocities),
             SheetField::Accelerations => {
                 self.of_positions(field, "sheet-accelerations", ViewPart::Accelerations)
@@ -49,18 +50,14 @@ impl Source<'_> {
             SheetField::Forces => self.forces(),
             SheetField::Lever => {
                 let lever = |position: &usize| {
-                    let figure = plans::lever(results, &self.look(*position));
+                    let figure = plans::lever(results, &look(*position));
                     titled_first(figure, self.at("sheet-lever", *position))
                 };
-                self.figures(field, PLAN, self.plans.iter().map(lever).collect::<Vec<_>>())
+                Self::figures(field, PLAN, self.plans.iter().map(lever).collect::<Vec<_>>())
             }
             SheetField::Dynamics => self.dynamics(&first),
-            SheetField::Results => self.table().into_iter().collect(),
+            SheetField::Results => vec![self.table()],
         }
-    }
-
-    fn look(&self, position: usize) -> Look<'static> {
-        Look { position, alone: true, ..Look::default() }
     }
 
     fn at(&self, id: &'static str, position: usize) -> Text {
@@ -69,7 +66,6 @@ impl Source<'_> {
 
     /// What there is of these figures.
     fn figures(
-        &self,
         field: SheetField,
         (least, weight): (f64, f64),
         all: impl IntoIterator<Item = Figure>,
@@ -92,11 +88,11 @@ impl Source<'_> {
 
     fn of_positions(&self, field: SheetField, id: &'static str, part: ViewPart) -> Vec<Drawn> {
         let plan = |position: &usize| {
-            let figure = plans::figure(self.results, &self.look(*position), part);
+            let figure = plans::figure(self.results, &look(*position), part);
             // What the vectors are, their points say.
             Figure { legend: Vec::new(), ..titled_first(figure, self.at(id, *position)) }
         };
-        self.figures(field, PLAN, self.plans.iter().map(plan).collect::<Vec<_>>())
+        Self::figures(field, PLAN, self.plans.iter().map(plan).collect::<Vec<_>>())
     }
 
     /// Of each position the groups with what acts on them and their polygons, from the last to the first, the input link as the last.
@@ -125,7 +121,7 @@ impl Source<'_> {
                 all.push(titled_first(drawn, list([plan.title.clone(), place()])));
             }
         }
-        self.figures(SheetField::Forces, PLAN, all)
+        Self::figures(SheetField::Forces, PLAN, all)
     }
 
     fn dynamics(&self, look: &Look<'_>) -> Vec<Drawn> {
@@ -134,20 +130,20 @@ impl Source<'_> {
         if !has_regime {
             let mut figure = motion::figure(results, look, ViewPart::Overview, usize::MAX);
             figure.panels.retain(|panel| !is_zero(panel));
-            return self.figures(field, PLOTS, [figure]);
+            return Self::figures(field, PLOTS, [figure]);
         }
         let drive = |part| regime::drive(results, look, part, 1);
         // The last panel repeats the moments.
         let mut characteristic = drive(ViewPart::Curves);
         characteristic.panels.pop();
         let course = motion::figure(results, look, ViewPart::Course, usize::MAX);
-        let mut drawn = self.figures(field, PLOTS, [course, drive(ViewPart::Inertia), characteristic]);
-        drawn.extend(self.figures(field, PLOTS, [drive(ViewPart::EnergyMass)]));
+        let mut drawn = Self::figures(field, PLOTS, [course, drive(ViewPart::Inertia), characteristic]);
+        drawn.extend(Self::figures(field, PLOTS, [drive(ViewPart::EnergyMass)]));
         drawn
     }
 
     /// The results that are asked for first.
-    fn table(&self) -> Option<Drawn> {
+    fn table(&self) -> Drawn {
         /// Rows that a sheet has.
         const MOST: usize = 24;
         let facts = topic::summary(&self.found.analysis, &self.results.linkage);
@@ -156,8 +152,12 @@ impl Source<'_> {
             facts.iter().map(|fact| [line(&fact.what()), line(&fact.with_unit())]).take(MOST).collect();
         let title = line(&text!("sheet-results"));
         let content = Content::Table(title, rows);
-        Some(Drawn { field: SheetField::Results, content, weight: 1.0, least: 0.0 })
+        Drawn { field: SheetField::Results, content, weight: 1.0, least: 0.0 }
     }
+}
+
+fn look(position: usize) -> Look<'static> {
+    Look { position, alone: true, ..Look::default() }
 }
 
 /// A figure whose first panel has this heading.

@@ -69,12 +69,11 @@ fn grown(blocks: &[Block], frame: Area, title: Area, way: Way) -> Option<Vec<Pla
         let least = candidates.min_by(|one, other| size(&levels, *one).total_cmp(&size(&levels, *other)));
         let Some(at) = least else { return Some(best) };
         levels[at] += 1;
-        match places(blocks, &levels, frame, title, way) {
-            Some(placed) => best = placed,
-            None => {
-                levels[at] -= 1;
-                open[at] = false;
-            }
+        if let Some(placed) = places(blocks, &levels, frame, title, way) {
+            best = placed;
+        } else {
+            levels[at] -= 1;
+            open[at] = false;
         }
     }
 }
@@ -125,7 +124,9 @@ fn cut(free: Vec<Area>, by: Area) -> Vec<Area> {
     };
     let is_greatest = |at: usize| {
         !(0..parts.len()).any(|other| {
-            other != at && holds(&parts[other], &parts[at]) && (parts[other] != parts[at] || other < at)
+            other != at
+                && holds(&parts[other], &parts[at])
+                && (!holds(&parts[at], &parts[other]) || other < at)
         })
     };
     (0..parts.len()).filter(|at| is_greatest(*at)).map(|at| parts[at]).collect()

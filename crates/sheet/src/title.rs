@@ -73,10 +73,13 @@ impl Block {
         };
         let room = right - left;
         // What would be much narrower than it is stands in several lines.
-        let fits = |count: &usize| *count as f64 * 1.4 * size <= bottom - top;
-        let is_wide = |count: &usize| text_width(words, size) > *count as f64 * 1.1 * room;
-        let count = (1..).take_while(|count| *count == 1 || (fits(count) && is_wide(&(count - 1)))).last();
-        let lines = divided(words, count.unwrap_or(1), size);
+        let fits = |count: usize| count as f64 * 1.4 * size <= bottom - top;
+        let is_wide = |count: usize| text_width(words, size) > count as f64 * 1.1 * room;
+        let mut count = 1;
+        while is_wide(count) && fits(count + 1) {
+            count += 1;
+        }
+        let lines = divided(words, count, size);
         let first = 0.5 * (top + bottom) + 0.365 * size - 0.65 * size * lines.len().saturating_sub(1) as f64;
         for (row, line) in lines.into_iter().enumerate() {
             self.text([x, first + 1.3 * size * row as f64], &line, size, anchor, room);

@@ -1,5 +1,7 @@
 //! Sheets of shipped scenes: nothing overlaps, nothing leaves the frame, texts are large enough, little paper stays empty.
 
+#![expect(clippy::unwrap_used, reason = "a test fails where something is missing")]
+
 use std::sync::Arc;
 
 use assur_all as _;

@@ -39,14 +39,17 @@ pub(super) fn turn(state: &mut State) {
     state.chosen.sheet = round(state.chosen.sheet, 1, count);
 }
 
-/// All fields, each with whether it is taken, and the chosen one.
-fn fields(state: &State) -> Option<(Vec<(SheetField, bool)>, (SheetField, bool))> {
+/// A field, and whether it is taken.
+type Row = (SheetField, bool);
+
+/// All fields, and the chosen one.
+fn fields(state: &State) -> Option<(Vec<Row>, Row)> {
     let fields = state.sheet_fields()?;
     let chosen = *fields.get(state.chosen.field)?;
     Some((fields, chosen))
 }
 
-fn taken(fields: &[(SheetField, bool)]) -> Vec<SheetField> {
+fn taken(fields: &[Row]) -> Vec<SheetField> {
     fields.iter().filter(|(_, is_taken)| *is_taken).map(|(field, _)| *field).collect()
 }
 
