@@ -23,7 +23,10 @@ pub fn typed(field: &Field, typed: &str) -> String {
         return choice.toml.clone();
     }
     let is_quoted = text.starts_with(['"', '\'']) && DeValue::parse(text).is_ok();
-    let is_open = text.starts_with(['[', '{']) && !has(|kind| *kind == ValueKind::Text);
+    // Of a text that may be a table of languages, what reads as a table is one.
+    let may_be_text = has(|kind| *kind == ValueKind::Text);
+    let is_table = || field.kinds.len() > 1 && text.starts_with('{') && DeValue::parse(text).is_ok();
+    let is_open = text.starts_with(['[', '{']) && (!may_be_text || is_table());
     if is_quoted || is_open {
         return text.to_owned();
     }

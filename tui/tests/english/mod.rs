@@ -8,7 +8,7 @@ const AUTHORS: &str = "Ortega Rheinboldt Hairer rsett Wanner Leroy Somer IMfinit
 /// Symbols, signs of files and programs: no registry has them.
 const SYMBOLS: &str = "phi2 rpm sum max abs sin cos tan atan2 sign step rms kor phi alpha beta delta sigma pi dq dw dt PF0 PF1 PF2 TestPf Pogr1 \
                        Mmax Mn Typst Markdown HTML SVG PNG DXF CSV JSON TOML Parquet UTF ASCII Braille Sobol kitty iTerm2 XDG_CONFIG_HOME HOME \
-                       NO_COLOR FILE SCENE KEY FOLDER NAME toml csv svg png dxf txt html md typ parquet json new fg assur Ctrl \
+                       NO_COLOR FILE SCENE KEY FOLDER NAME toml csv svg png pdf dxf txt html md typ parquet json new fg assur Ctrl \
                        true false auto off on open set compare";
 
 /// The words of a text: runs of Latin letters, digits and underscores.

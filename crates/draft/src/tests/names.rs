@@ -127,10 +127,7 @@ fn a_name_that_can_not_be_is_refused() {
 fn a_point_of_one_link_is_renamed_there() {
     let text = scene("shaper-friction");
     let own = rename_in_link(text, "stone4", "D", "D2").unwrap();
-    assert_eq!(
-        own,
-        changed(text, &[("[link.stone4]\npoints = { D = 0 }", "[link.stone4]\npoints = { D2 = 0 }", 1)])
-    );
+    assert_eq!(own, changed(text, &[("points = { D = 0 }\nmass", "points = { D2 = 0 }\nmass", 1)]));
     let alone = rename_in_link(text, "ram", "K", "tip").unwrap();
     assert_eq!(alone, changed(text, &[("K = [", "tip = [", 1), ("at = \"K\"", "at = \"tip\"", 1)]));
     let framed = rename_in_link(text, "rocker", "C", "Q").unwrap();

@@ -13,12 +13,16 @@ fn offers() -> Vec<(&'static str, Vec<Choice>)> {
     vec![("motor", words(&["4A100L4"])), ("catalogue", words(&["4A"])), ("integrator", words(&["dopri5"]))]
 }
 
-/// The shipped scenes, and one with a law of its input over time.
+/// The shipped scenes, one with a law of its input over time, and one with a sheet.
 fn scenes() -> impl Iterator<Item = String> {
     let arm = include_str!("../../../scene/src/tests/arm.toml");
     let boom =
         include_str!("../../../scene/src/tests/boom.toml").replace("until = \"3.5 s\"", "until = \"2 s\"");
-    SCENES.iter().map(|(_, text)| (*text).to_owned()).chain([arm.to_owned(), boom])
+    SCENES.iter().map(|(_, text)| (*text).to_owned()).chain([
+        arm.to_owned(),
+        boom,
+        format!("{}\n[sheet]\nformat = \"A1\"\n", shaper()),
+    ])
 }
 
 /// The tables of a scene and the tables in them, with their headers.

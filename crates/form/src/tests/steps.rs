@@ -159,7 +159,9 @@ fn sections_are_all_tables_of_a_scene() {
             "[balance]",
             "[drive]",
             "[output]",
+            "[labels]",
             "[note]",
+            "[sheet]",
         ]
     );
     let five_bar = sections(scene("five-bar"));

@@ -17,7 +17,12 @@ pub(crate) type Kept = Option<((Arc<str>, &'static str, bool), Sheets)>;
 impl State {
     /// All fields in the order of the sheet, then those that it leaves out, each with whether it is taken; `None` without a scene.
     pub(crate) fn sheet_fields(&self) -> Option<Vec<(SheetField, bool)>> {
-        let taken = assur_sheet::wanted(&self.scene.as_ref()?.session.note);
+        let scene = self.scene.as_ref()?;
+        // A change that is not read yet counts: the next key may come before.
+        let newer = (**self.draft.text() != *scene.session.text)
+            .then(|| assur_scene::read_with_note("", self.draft.text()).ok())
+            .flatten();
+        let taken = assur_sheet::wanted(newer.as_ref().map_or(&scene.session.note, |(_, note)| note));
         let others = SHEET_FIELDS.iter().map(|(_, field)| *field).filter(|field| !taken.contains(field));
         let others: Vec<_> = others.map(|field| (field, false)).collect();
         Some(taken.into_iter().map(|field| (field, true)).chain(others).collect())

@@ -203,7 +203,8 @@ fn every_curve_is_a_column_of_the_json() {
 #[test]
 fn curves_between_the_positions_are_those_of_more_positions() {
     for (name, positions) in [("shaper", 48), ("shaper-drive", 48), ("slider-crank", 24)] {
-        let text = assur_fixtures::scene(name);
+        // The positions that a note shows may be none of fewer.
+        let text = assur_fixtures::scene(name).split("[note]").next().unwrap();
         let line = text.lines().find(|line| line.starts_with("positions")).unwrap();
         let with = |count: usize| super::scene(&text.replace(line, &format!("positions = {count}")));
         let (mut few, many) = (with(positions / 2), with(DRAWN));

@@ -57,12 +57,13 @@ fn every_key_in_every_view_is_survived() {
 
 #[test]
 fn every_command_does_something() {
-    for command in COMMANDS.iter().filter(|command| command.name != "close") {
+    // What is opened is closed, and of several sheets the next is shown: neither is there.
+    for command in COMMANDS.iter().filter(|command| !["close", "next-sheet"].contains(&command.name)) {
         let mut acts = false;
         for view in View::VARIANTS.iter().copied().filter(|view| command.fits(*view)) {
             let mut state = opened("shaper");
             enter(&mut state, view);
-            (state.position, state.zoom.factor, state.chosen.line) = (7, 2.0, 1);
+            (state.position, state.zoom.factor, state.chosen.line, state.chosen.field) = (7, 2.0, 1, 1);
             let chart = Err(name("line\n".repeat(90)));
             state.measured = Some(Box::new(Measured { chart, stability: None }));
             let before = fingerprint(&state);

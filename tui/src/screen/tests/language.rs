@@ -66,8 +66,9 @@ fn of_scene(state: &State) -> BTreeSet<String> {
     let slides = mechanism.slides.iter().map(|one| &one.name);
     let loads = mechanism.loads.iter().map(|one| &one.name);
     let all = links.chain(points).chain(slides).chain(loads);
-    // The words that the program gives are not those of the scene.
-    let own = all.map(|name| assur_words::Text::from(name).render(Language::find("ru").unwrap()));
+    // The words that the program gives are not those of the scene. Headings of columns have the names of parts, other texts their labels.
+    let own = all
+        .map(|own| format!("{own} {}", assur_words::Text::from(own).render(Language::find("ru").unwrap())));
     let own = own.chain([mechanism.title.to_string()]).collect::<Vec<_>>().join(" ");
     words(&own).map(str::to_lowercase).collect()
 }
@@ -140,7 +141,8 @@ fn no_view_has_english_words_in_another_language() {
 fn the_formula_of_structure_names_the_ground_in_the_language_that_is_shown() {
     let mut state = opened("shaper");
     state.view = View::Structure;
-    for (language, formula) in [("uk", "I(стояк,crank)"), ("ru", "I(стойка,crank)")] {
+    for (language, formula) in [("uk", "I(стояк,кривошип)"), ("ru", "I(стойка,кривошип)")]
+    {
         state.look.language = language;
         assert!(text(&state, 80, 24).contains(formula), "{}", text(&state, 80, 24));
     }

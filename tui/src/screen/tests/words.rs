@@ -129,7 +129,7 @@ fn a_view_without_content_says_what_to_add() {
 fn all_views_are_named_in_80_columns() {
     let state = opened("shaper-drive");
     let frame = text(&state, 80, 24);
-    assert!(frame.lines().nth(1).unwrap().ends_with("tTable WWork"), "{frame}");
+    assert!(frame.lines().nth(1).unwrap().ends_with("tTab WWork ZSheet"), "{frame}");
     assert!(text(&state, 120, 24).contains("9 Groups t Table W Working"));
 }
 
