@@ -558,5 +558,5 @@ scene-key-note-city = The city, for the cover.
 scene-key-note-year = The year, for the cover.
 scene-key-note-task = The text of the task; an empty line divides its paragraphs.
 scene-key-note-curves = Further diagrams: columns by heading, CSV name or words; several with commas between them lie over each other.
-scene-key-note-chapters = The chapters that it has, of `results`, `task`, `structure`, `kinematics`, `forces`, `dynamics`, `energy`, `working`, `checks`, `model`, `sources`, `conclusions`; absent, all that the scene has.
+scene-key-note-chapters = The chapters that it has, of results, task, structure, kinematics, forces, dynamics, energy, working, checks, model, sources, conclusions; absent, all that the scene has.
 scene-key-note-digits = Significant digits of its numbers.

@@ -564,5 +564,5 @@ scene-key-note-city = Город, для титульного листа.
 scene-key-note-year = Год, для титульного листа.
 scene-key-note-task = Текст задания; пустая строка разделяет абзацы.
 scene-key-note-curves = Дополнительные графики: столбцы по заголовку, имени в { "CSV" } или словам; несколько через запятую — друг над другом.
-scene-key-note-chapters = Разделы, которые она имеет, из `results`, `task`, `structure`, `kinematics`, `forces`, `dynamics`, `energy`, `working`, `checks`, `model`, `sources`, `conclusions`; без ключа — все, что есть в сцене.
+scene-key-note-chapters = Разделы, которые она имеет, из { "results, task, structure, kinematics, forces, dynamics, energy, working, checks, model, sources, conclusions" }; без ключа — все, что есть в сцене.
 scene-key-note-digits = Значащие цифры её чисел.

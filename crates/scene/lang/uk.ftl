@@ -565,5 +565,5 @@ scene-key-note-city = Місто, для титульної сторінки.
 scene-key-note-year = Рік, для титульної сторінки.
 scene-key-note-task = Текст завдання; порожній рядок розділяє абзаци.
 scene-key-note-curves = Додаткові графіки: стовпці за заголовком, іменем у { "CSV" } чи словами; кілька через кому — один над одним.
-scene-key-note-chapters = Розділи, які вона має, з `results`, `task`, `structure`, `kinematics`, `forces`, `dynamics`, `energy`, `working`, `checks`, `model`, `sources`, `conclusions`; без ключа — усі, що є в сцені.
+scene-key-note-chapters = Розділи, які вона має, з { "results, task, structure, kinematics, forces, dynamics, energy, working, checks, model, sources, conclusions" }; без ключа — усі, що є в сцені.
 scene-key-note-digits = Значущі цифри її чисел.

@@ -61,7 +61,7 @@ impl Drawn {
         let mut width = self.least.max(headings);
         while width <= MOST {
             for page in pages(figure, width) {
-                let own = Size { size: size(figure, page, Style::SHEET, language), page: Some(page) };
+                let own = Size { size: room(figure, page, language), page: Some(page) };
                 if sizes.iter().all(|known| known.size.map(f64::to_bits) != own.size.map(f64::to_bits)) {
                     sizes.push(own);
                 }
@@ -75,11 +75,31 @@ impl Drawn {
     /// What stands on paper in this size, from its upper left corner.
     pub(crate) fn elements(&self, size: Size, language: &Language) -> Vec<Element> {
         match (&self.content, size.page) {
-            (Content::Figure(figure), Some(page)) => elements(figure, page, Style::SHEET, language).0,
+            (Content::Figure(figure), Some(page)) => {
+                let all = elements(figure, page, Style::SHEET, language).0;
+                let left = sides(&all, 0.0)[0];
+                all.into_iter().map(|element| element.moved([-left, 0.0])).collect()
+            }
             (Content::Table(title, rows), _) => table(title, rows, size.size),
             (Content::Figure(_), None) => Vec::new(),
         }
     }
+}
+
+/// Where elements end at the left, if it is left of 0, and at the right, if it is right of a width.
+fn sides(all: &[Element], width: f64) -> [f64; 2] {
+    let bounds = all.iter().filter_map(Element::bounds);
+    bounds.fold([0.0, width], |[left, right], own| [f64::min(left, own[0]), f64::max(right, own[2])])
+}
+
+/// What a figure takes on a page. The numbers beside axes may be wider than a page has room for.
+fn room(figure: &Figure, page: Page, language: &Language) -> [f64; 2] {
+    if is_plane(figure) {
+        return size(figure, page, Style::SHEET, language);
+    }
+    let (all, [width, height]) = elements(figure, page, Style::SHEET, language);
+    let [left, right] = sides(&all, width);
+    [right - left, height]
 }
 
 fn area(of: &Size) -> f64 {

@@ -58,6 +58,8 @@ fn every_number_of_every_scene_is_set_as_it_is_read() {
         "motion.step",
         "motion.max_steps",
         "note.positions[",
+        "note.digits",
+        "sheet.",
         "_speed",
         "drive.efficiency",
     ];
