@@ -14,7 +14,10 @@ fn fields_are_left_out_taken_again_and_moved_and_the_scene_has_their_order() {
     // The field that is left out is at the end of the list, and stays chosen.
     let frame = text(&state, 80, 24);
     assert!(frame.contains("> - mechanism") && frame.contains("  1 diagrams"), "{frame}");
-    press(&mut state, "Enter S-Up");
+    press(&mut state, "Enter");
+    let frame = text(&state, 80, 24);
+    assert!(frame.contains("> 8 mechanism"), "{frame}");
+    press(&mut state, "<");
     let back = r#""dynamics", "mechanism", "results"]"#;
     assert!(state.draft.text().contains(back), "{}", state.draft.text());
     press(&mut state, "u u u");
