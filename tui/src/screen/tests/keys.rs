@@ -98,7 +98,7 @@ fn other_keys_are_what_counts_and_what_is_shown() {
     let frame = text(&state, 80, 24);
     let hints: Vec<&str> = frame.lines().skip(22).collect();
     assert!(hints[0].starts_with(" y/i step") && hints[1].ends_with("F1 all keys"), "{frame}");
-    assert!(text(&state, 80, 24).contains("C-e Curve"));
+    assert!(text(&state, 80, 24).contains("C-e Curv "));
     press(&mut state, "i i Right y");
     assert_eq!(state.position, 1);
     press(&mut state, "C-e");
