@@ -91,9 +91,9 @@ fn texts(manifest: &str) -> io::Result<BTreeMap<String, String>> {
 
 fn main() -> Result<(), Box<dyn Error>> {
     let metadata: Metadata = serde_json::from_reader(io::stdin().lock())?;
-    let crates = linked(&metadata, "assur");
+    let crates = linked(&metadata, "assur-cli");
     if crates.is_empty() {
-        return Err("the metadata has no package `assur` with dependencies".into());
+        return Err("the metadata has no package `assur-cli` with dependencies".into());
     }
     let mut page = String::from("Crates that are linked into assur, each with its license.\n");
     // The same text stands once, with all crates that have it.

@@ -10,5 +10,5 @@ use assur_all as _;
 static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
 
 fn main() -> ExitCode {
-    assur::cli::run(std::env::args_os())
+    assur_cli::cli::run(std::env::args_os())
 }

@@ -7,6 +7,6 @@ use assur_all as _;
 use own_program as _;
 
 fn main() -> ExitCode {
-    let program = assur::cli::Program { name: env!("CARGO_PKG_NAME"), version: env!("CARGO_PKG_VERSION") };
+    let program = assur_cli::cli::Program { name: env!("CARGO_PKG_NAME"), version: env!("CARGO_PKG_VERSION") };
     program.run(std::env::args_os())
 }
