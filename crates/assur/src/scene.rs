@@ -1,0 +1,116 @@
+//! A scene that is read.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use assur_analysis::{Calculation, Options, unwatched};
+use assur_group::Order;
+use assur_kinematics::Linkage;
+use assur_scene::edit::quoted;
+use assur_words::Describe;
+
+use crate::{Error, Position, Results, SweepRows, swept};
+
+/// A scene that is read, with its mechanism compiled.
+#[derive(Debug, Clone)]
+pub struct Scene {
+    pub(crate) file: String,
+    pub(crate) text: String,
+    pub(crate) linkage: Arc<Linkage>,
+}
+
+impl Scene {
+    /// Reads a scene from a file.
+    ///
+    /// # Errors
+    ///
+    /// A file that can't be read; a scene with faults, with file, line, column and key of the first; links that form no mechanism.
+    pub fn read(path: impl AsRef<Path>) -> Result<Self, Error> {
+        let file = path.as_ref().display().to_string();
+        match std::fs::read_to_string(&path) {
+            Ok(text) => Self::parse(&file, &text),
+            Err(problem) => {
+                Err(Error { message: format!("{file}: {problem}"), file: Some(file), ..Error::default() })
+            }
+        }
+    }
+
+    /// Reads a scene from its text; `file` is only repeated in errors.
+    ///
+    /// # Errors
+    ///
+    /// As those of [`read`](Self::read).
+    pub fn parse(file: &str, text: &str) -> Result<Self, Error> {
+        let mechanism = assur_scene::read(file, text).map_err(|errors| Error::of_scene(&errors, text))?;
+        let linkage = Linkage::compile(mechanism)
+            .map_err(|error| Error::at(file, text, error.key(), error.describe()))?;
+        Ok(Self { file: file.to_owned(), text: text.to_owned(), linkage: Arc::new(linkage) })
+    }
+
+    /// The text of the scene.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// The formula of its structure, such as `I(ground,crank) -> II1(rod,rocker)`.
+    pub fn structure(&self) -> String {
+        self.linkage.structure.formula.as_str().to_owned()
+    }
+
+    /// The coordinates of the positions that the scene asks for, rad, m or s.
+    pub fn coordinates(&self) -> impl ExactSizeIterator<Item = f64> + '_ {
+        let input = &self.linkage.mechanism.input;
+        (0..input.positions).map(|index| input.coordinate(index))
+    }
+
+    /// The position at a coordinate (rad, m or s) of the input, with its first and second derivatives.
+    ///
+    /// # Errors
+    ///
+    /// The mechanism can't be assembled there: the group, the gap, and where it can.
+    pub fn at(&self, coordinate: f64) -> Result<Position<'_>, Error> {
+        let mut solved = self.linkage.position();
+        self.linkage
+            .solve(coordinate, Order::Second, &mut solved)
+            .map_err(|error| Error::at(&self.file, &self.text, None, error.describe()))?;
+        Ok(Position { linkage: &self.linkage, solved })
+    }
+
+    /// All results of the positions and of the motion, as `assur analyze` has them, without its checks.
+    ///
+    /// # Errors
+    ///
+    /// What lets nothing be calculated; a position without a solution is one of the [failures](Results::failures).
+    pub fn analyze(&self) -> Result<Results, Error> {
+        let options = Options::default();
+        let failed = |error: assur_analysis::AnalysisError| {
+            Error::at(&self.file, &self.text, error.key(&self.linkage.mechanism), error.describe())
+        };
+        let study =
+            Calculation::of(self.linkage.mechanism.clone(), &options, &mut unwatched).map_err(failed)?;
+        Results::of(&study)
+    }
+
+    /// The scene with another value, written as in a scene: `scene.with("link.crank.mass", "5 kg")`. Comments and order stay.
+    ///
+    /// # Errors
+    ///
+    /// A key that the scene does not have, or a value that it does not allow.
+    pub fn with(&self, key: &str, value: &str) -> Result<Self, Error> {
+        let at = assur_mechanism::Key::parse(key).map_err(Error::told)?;
+        let is_number = value.parse::<f64>().is_ok_and(f64::is_finite);
+        let value = if is_number { value.to_owned() } else { quoted(value) };
+        let text = assur_draft::set(&self.text, &at, &value).map_err(Error::told)?;
+        Self::parse(&self.file, &text)
+    }
+
+    /// The scene with many values of its own numbers, in all combinations: each of `vary` is `KEY=FROM..TO:N`, as in `assur sweep`;
+    /// `measures` are its measures, the usual ones where none is named.
+    ///
+    /// # Errors
+    ///
+    /// A parameter that the scene does not have, an unknown measure, too many points. A point that fails is a row.
+    pub fn sweep(&self, vary: &[&str], measures: &[&str]) -> Result<SweepRows, Error> {
+        swept::of(self, vary, measures)
+    }
+}
