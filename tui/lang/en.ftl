@@ -465,7 +465,6 @@ cli-stdout = error: can't write to standard output: { $problem }
 cli-parquet-motion = note: Parquet has the positions; the motion over time is written by `--format csv -o FOLDER`.
 cli-parquet-form = *.parquet is a form of its own; leave `--format` out
 cli-csv-folder = --format csv writes several files; name a folder with `-o FOLDER`
-cli-positions-of-text = --positions limits the tables of text; the other forms have all positions
 cli-no-position = { $option } { $position }: there is no such position; they are numbered 0 to { $last }
 cli-position-not-kept = --positions { $position }: the scene has more positions than tables of text can show, and only { $kept } of them are kept; `-o FILE.parquet` writes all
 cli-plans-no-csv = --plans and --by-cause have no csv form; use --format text or json

@@ -440,7 +440,6 @@ cli-stdout = ошибка: не удаётся писать в стандарт�
 cli-parquet-motion = примечание: в Parquet есть положения; движение во времени записывает `--format csv -o FOLDER`.
 cli-parquet-form = *.parquet — отдельный вид; не указывайте `--format`
 cli-csv-folder = --format csv пишет несколько файлов; назовите папку через `-o FOLDER`
-cli-positions-of-text = --positions ограничивает таблицы текста; другие виды имеют все положения
 cli-no-position = { $option } { $position }: такого положения нет; их номера — от 0 до { $last }
 cli-position-not-kept = --positions { $position }: из такого количества положений для таблиц текста сохраняются лишь { $kept }; запишите все через `-o FILE.parquet`
 cli-plans-no-csv = --plans и --by-cause не имеют вида csv; возьмите --format text или json

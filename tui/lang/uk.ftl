@@ -437,7 +437,6 @@ cli-stdout = помилка: не вдається писати у станда�
 cli-parquet-motion = примітка: у Parquet є положення; рух у часі записує `--format csv -o FOLDER`.
 cli-parquet-form = *.parquet — окремий вид; не вказуйте `--format`
 cli-csv-folder = --format csv пише кілька файлів; назвіть теку через `-o FOLDER`
-cli-positions-of-text = --positions обмежує таблиці тексту; інші види мають усі положення
 cli-no-position = { $option } { $position }: такого положення немає; їхні номери — від 0 до { $last }
 cli-position-not-kept = --positions { $position }: з такої кількості положень для таблиць тексту зберігаються лише { $kept }; запишіть усі через `-o FILE.parquet`
 cli-plans-no-csv = --plans і --by-cause не мають виду csv; візьміть --format text або json

@@ -7,9 +7,12 @@ mod write;
 use std::fs::{self, OpenOptions};
 use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
+use std::sync::Mutex;
 
 use assur_scene::document;
 use assur_words::{Describe, Text, errors, name, number, quantity, text, text_of};
+
+use crate::lock;
 
 pub(crate) use lock::{Lock, create_own, is_at, open_own};
 pub(crate) use write::{
@@ -28,7 +31,7 @@ pub(crate) enum FileError {
 
 impl Describe for FileError {
     fn describe(&self) -> Text {
-        let file = |path: &Path| name(path.display().to_string());
+        let file = |path: &Path| name(shown(path));
         match self {
             Self::Read(path, problem) => text!("cli-error-in", file = file(path), problem),
             Self::Write(path, problem) => text!("file-not-written", file = file(path), problem),
@@ -63,8 +66,35 @@ pub(crate) fn free_beside(file: &Path) -> Option<u64> {
     found.f_bavail.checked_mul(found.f_frsize)
 }
 
-/// The content of a file, whatever it is; its size has a limit.
+/// What is written in place of a file for standard input.
+const STANDARD_INPUT: &str = "-";
+
+/// Whether a path means standard input.
+pub(crate) fn is_standard_input(path: &Path) -> bool {
+    path == Path::new(STANDARD_INPUT)
+}
+
+/// A file as messages name it.
+pub(crate) fn shown(path: &Path) -> String {
+    if is_standard_input(path) { "<stdin>".to_owned() } else { path.display().to_string() }
+}
+
+/// The content of a file or of standard input, whatever it is; its size has a limit. Standard input has one end, so it is kept.
 pub(crate) fn read_bytes(path: &Path) -> Result<Vec<u8>, FileError> {
+    static INPUT: Mutex<Option<Vec<u8>>> = Mutex::new(None);
+    if !is_standard_input(path) {
+        return read_all(path, || fs::File::open(path));
+    }
+    let mut kept = lock(&INPUT);
+    if let Some(bytes) = &*kept {
+        return Ok(bytes.clone());
+    }
+    let bytes = read_all(path, || Ok(io::stdin()))?;
+    *kept = Some(bytes.clone());
+    Ok(bytes)
+}
+
+fn read_all<R: Read>(path: &Path, open: impl FnOnce() -> io::Result<R>) -> Result<Vec<u8>, FileError> {
     let error = |problem: Text| FileError::read(path, problem);
     if path.is_dir() {
         return Err(error(text!("file-is-folder")));
@@ -72,7 +102,7 @@ pub(crate) fn read_bytes(path: &Path) -> Result<Vec<u8>, FileError> {
     let most = document::MOST_BYTES;
     let mut bytes = Vec::new();
     // A device has no size, and may have no end.
-    let found = fs::File::open(path).and_then(|file| file.take(most as u64 + 1).read_to_end(&mut bytes));
+    let found = open().and_then(|file| file.take(most as u64 + 1).read_to_end(&mut bytes));
     found.map_err(|problem| match problem.kind() {
         io::ErrorKind::NotFound => error(text!("file-missing")),
         _ => error(text!("file-not-read", problem = text_of(&problem))),

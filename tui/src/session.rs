@@ -27,7 +27,7 @@ pub(crate) enum Source {
 impl Source {
     pub(crate) fn name(&self) -> String {
         match self {
-            Self::File(path) => path.display().to_string(),
+            Self::File(path) => files::shown(path),
             Self::Shipped(name) => format!("{name}.toml"),
             Self::New => "new.toml".to_owned(),
         }

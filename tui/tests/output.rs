@@ -4,6 +4,7 @@
 #![expect(clippy::unwrap_used, reason = "a test fails where something is missing")]
 
 use std::fs::{self, File, OpenOptions};
+use std::io::Write as _;
 use std::os::unix::fs::{MetadataExt, PermissionsExt, symlink};
 use std::os::unix::process::ExitStatusExt;
 use std::path::Path;
@@ -331,4 +332,72 @@ fn what_is_too_large_to_be_drawn_is_refused() {
         err(&note)
     );
     assert_eq!(names(path), ["a.svg", "crank.toml", "short.toml"]);
+}
+
+/// Runs the program with a text as its standard input.
+fn piped(folder: &Path, arguments: &[&str], input: &str) -> Output {
+    let mut child = command(folder, arguments)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    // A program that reads nothing may be gone already.
+    let _ = child.stdin.take().unwrap().write_all(input.as_bytes());
+    child.wait_with_output().unwrap()
+}
+
+#[test]
+fn a_scene_comes_from_standard_input() {
+    let folder = folder();
+    for line in [
+        "analyze",
+        "check",
+        "explain",
+        "structure",
+        "geometry",
+        "set motion.speed=3",
+        "sweep --vary motion.speed=1..2:2",
+    ] {
+        let mut arguments: Vec<&str> = line.split(' ').collect();
+        arguments.insert(1, "crank.toml");
+        let by_name = assur(folder.path(), &arguments);
+        arguments[1] = "-";
+        let by_input = piped(folder.path(), &arguments, CRANK);
+        assert_eq!(by_input.stdout, by_name.stdout, "{line}: {}", err(&by_input));
+        assert_eq!(code(&by_input), code(&by_name), "{line}");
+    }
+    let alone = piped(folder.path(), &["-"], CRANK);
+    assert_eq!(alone.stdout, assur(folder.path(), &["crank.toml"]).stdout);
+    let faulty = piped(folder.path(), &["analyze", "-"], &CRANK.replace("speed = 2", "sped = 2"));
+    assert_eq!(code(&faulty), 2);
+    assert!(
+        err(&faulty).contains("<stdin>, line 8") || err(&faulty).contains("<stdin>:8"),
+        "{}",
+        err(&faulty)
+    );
+}
+
+#[test]
+fn rows_of_chosen_positions_alone_are_written_in_every_form() {
+    let folder = folder();
+    let run = |arguments: &[&str]| {
+        let all = [&["analyze", "crank.toml"], arguments].concat();
+        let output = assur(folder.path(), &all);
+        assert_eq!(code(&output), 0, "{arguments:?}: {}", err(&output));
+        output.stdout
+    };
+    let json: serde_json::Value =
+        serde_json::from_slice(&run(&["--format", "json", "--positions", "1,3"])).unwrap();
+    let all: serde_json::Value = serde_json::from_slice(&run(&["--format", "json"])).unwrap();
+    let rows = all["positions"].as_array().unwrap();
+    assert_eq!(json["positions"], serde_json::json!([rows[1], rows[3]]));
+    run(&["--format", "csv", "-o", "all"]);
+    run(&["--format", "csv", "-o", "some", "--positions", "1,3"]);
+    let read = |name: &str| fs::read_to_string(folder.path().join(name).join("positions.csv")).unwrap();
+    let (all, some) = (read("all"), read("some"));
+    let all: Vec<&str> = all.lines().collect();
+    assert_eq!(some.lines().collect::<Vec<_>>(), [all[0], all[2], all[4]]);
+    let output = assur(folder.path(), &["analyze", "crank.toml", "--format", "json", "--positions", "4"]);
+    assert_eq!(code(&output), 2, "there are positions 0 to 3");
 }

@@ -66,7 +66,8 @@ fn analyze(args: &AnalyzeArgs, form: Form, style: Style, kept: &mut Vec<Text>) -
         return Ok(verdict.status());
     }
     let status = verdict.status().or(added);
-    let results = |analysis| Results { study: &study, analysis, line: &line, style };
+    let only = positions.as_deref();
+    let results = |analysis| Results { study: &study, analysis, only, line: &line, style };
     let written = match form {
         Form::Json => results(&analysis).json(output, status),
         Form::Csv => results(&analysis).csv(output, status),
@@ -135,6 +136,8 @@ impl Form {
 struct Results<'a> {
     study: &'a Calculation,
     analysis: &'a Analysis,
+    /// The positions whose rows are written; `None`: all.
+    only: Option<&'a [usize]>,
     line: &'a ProgressLine,
     style: Style,
 }
@@ -145,7 +148,11 @@ impl Results<'_> {
         work: impl Fn(&Table) -> T + Sync,
         take: impl FnMut(T) -> io::Result<()>,
     ) -> io::Result<()> {
-        let done = self.study.each_block(self.analysis, &mut self.line.watch(), work, take);
+        let wanted = |table: &Table| match self.only {
+            Some(only) => work(&table.only(|number| only.contains(&number))),
+            None => work(table),
+        };
+        let done = self.study.each_block(self.analysis, &mut self.line.watch(), wanted, take);
         done.map_err(other)?
     }
 

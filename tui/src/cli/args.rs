@@ -102,7 +102,7 @@ pub(crate) struct AnalyzeArgs {
     pub(crate) checked: CheckedArgs,
     #[command(flatten)]
     pub(crate) plans: super::plans::PlanArgs,
-    /// Show these positions alone in the tables of the text, for example 0,18,30..36
+    /// Write the rows of these positions alone, for example 0,18,30..36
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = super::plans::interval)]
     pub(crate) positions: Vec<std::ops::RangeInclusive<usize>>,
     /// Form of the results

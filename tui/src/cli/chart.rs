@@ -27,7 +27,7 @@ const INTERRUPTED: u8 = 130;
 
 #[derive(Debug, Clone, Args)]
 pub(crate) struct ChartArgs {
-    /// Scene file
+    /// Scene file; `-` is standard input
     #[arg(value_name = "SCENE")]
     scene: PathBuf,
     /// Every second setting and few repetitions: within five seconds

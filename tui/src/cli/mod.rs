@@ -128,8 +128,9 @@ fn command(cli: Cli, configured: Configured, style: Style) -> Result<Status, Fau
 fn scene_or_screen(cli: Cli, (config, config_fault): Configured, style: Style) -> Result<Status, Fault> {
     // A terminal that calls itself dumb can't move its cursor.
     let dumb = std::env::var_os("TERM").is_some_and(|name| name == "dumb");
-    let interactive = !dumb && std::io::stdout().is_terminal() && std::io::stdin().is_terminal();
-    let missing = cli.scene.as_deref().filter(|scene| !scene.exists());
+    let on_input = cli.scene.as_deref().is_some_and(files::is_standard_input);
+    let interactive = !dumb && !on_input && std::io::stdout().is_terminal() && std::io::stdin().is_terminal();
+    let missing = cli.scene.as_deref().filter(|scene| !on_input && !scene.exists());
     // A single word may be meant as a command.
     let offer = missing.and_then(|word| usage::nearest_command(word.to_str()?));
     match (cli.scene, offer) {

@@ -25,7 +25,7 @@ impl From<MethodArgs> for Options {
 /// A scene and methods.
 #[derive(Debug, Clone, Default, Args)]
 pub(crate) struct SceneArgs {
-    /// Scene file
+    /// Scene file; `-` is standard input
     pub(crate) scene: PathBuf,
     #[command(flatten)]
     pub(crate) methods: MethodArgs,

@@ -22,11 +22,11 @@ pub(crate) fn interval(text: &str) -> Result<RangeInclusive<usize>, Told> {
     }
 }
 
-/// The positions that the tables of a text show; `None`: all.
+/// The positions that are written; `None`: all.
 ///
 /// # Errors
 ///
-/// A form of results that is no text, a position that does not exist, or one that was not kept.
+/// A position that does not exist, or, for a text, one that was not kept.
 pub(crate) fn chosen(
     intervals: &[RangeInclusive<usize>],
     is_text: bool,
@@ -34,15 +34,12 @@ pub(crate) fn chosen(
     count: usize,
 ) -> Result<Option<Vec<usize>>, Fault> {
     let Some(last) = intervals.iter().map(|interval| *interval.end()).max() else { return Ok(None) };
-    if !is_text {
-        return Err(Fault::Other(text!("cli-positions-of-text")));
-    }
     if last >= count {
         return Err(no_position("--positions", last, count));
     }
     let numbers: Vec<usize> = intervals.iter().cloned().flatten().collect();
     let dropped = numbers.iter().find(|number| analysis.positions.row_of(**number).is_none());
-    if let Some(number) = dropped.filter(|_| !analysis.is_complete()) {
+    if let Some(number) = dropped.filter(|_| is_text && !analysis.is_complete()) {
         let (position, kept) = (words::number(*number), words::number(analysis.positions.len()));
         return Err(Fault::Other(text!("cli-position-not-kept", position, kept)));
     }

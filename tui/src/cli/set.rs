@@ -16,7 +16,7 @@ use crate::files;
 
 #[derive(Debug, Clone, Args)]
 pub(crate) struct SetArgs {
-    /// Scene file
+    /// Scene file; `-` is standard input
     scene: PathBuf,
     /// Values by key, such as "link.crank.points.A=120 mm" or motion.speed=6.28; a number alone is SI
     #[arg(value_name = "KEY=VALUE", required_unless_present = "row")]
@@ -54,7 +54,7 @@ pub(crate) fn run(args: &SetArgs, style: Style) -> Result<Status, Fault> {
         places.extend(found.into_iter().map(|place| (place, toml(value.trim()))));
     }
     let text = replaced(&text, places.iter().map(|(place, toml)| (&place.span, toml.as_str())));
-    let file = args.scene.display().to_string();
+    let file = files::shown(&args.scene);
     let mechanism = assur_scene::read(&file, &text).map_err(Fault::scene)?;
     let warnings = mechanism.warnings.iter().map(|one| text!("cli-note", note = one));
     scene::tell_all(warnings.collect(), style)?;

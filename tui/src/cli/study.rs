@@ -22,7 +22,7 @@ use crate::verdict::Verdict;
 
 #[derive(Debug, Clone, Args)]
 pub(crate) struct StructureArgs {
-    /// Scene file
+    /// Scene file; `-` is standard input
     scene: PathBuf,
     /// Formula and class with each link as the input that is pinned to the ground or slides on it
     #[arg(long)]
@@ -50,7 +50,7 @@ enum Form {
 /// A scene that is studied, and the form and the file of the results.
 #[derive(Debug, Clone, Args)]
 pub(crate) struct StudyArgs {
-    /// Scene file
+    /// Scene file; `-` is standard input
     scene: PathBuf,
     /// Form of the results; csv: their table alone
     #[arg(long, value_enum, default_value_t = Format::Text)]

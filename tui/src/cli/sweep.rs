@@ -50,7 +50,7 @@ fn columns() -> String {
 #[derive(Debug, Clone, Args)]
 #[command(after_help = columns())]
 pub(crate) struct SweepArgs {
-    /// Scene file
+    /// Scene file; `-` is standard input
     scene: PathBuf,
     /// N values of a number of the scene, equally spaced, both ends included, such as
     /// "link.crank.points.A=100 mm..140 mm:5"; once more for each further parameter, the last changes fastest.
@@ -129,7 +129,7 @@ fn sweep(args: &SweepArgs, style: Style) -> Result<Sweep, Fault> {
     let request = SweepRequest { points, ties, targets, measures, between: args.between, options };
     let text = scene::open(&args.scene, style)?.text;
     let vary = args.vary.iter().map(|vary| Vary::parse(vary, points)).collect::<Result<Vec<_>, _>>();
-    let file = args.scene.display().to_string();
+    let file = files::shown(&args.scene);
     let sweep = Sweep::of(&file, &text, &vary.map_err(fault)?, request).map_err(fault)?;
     let warnings = sweep.warnings().into_iter();
     let told = warnings.map(|(point, note)| text!("cli-sweep-doubt", point, note));

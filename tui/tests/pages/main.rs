@@ -1,10 +1,23 @@
-//! Plays pages of docs: their scenes are written to files, their commands run, and what they quote is printed.
+//! Pages of docs: those that are played (their scenes are written to files, their commands run, and what they quote is printed), those
+//! that are generated, and the links between all.
 
 #![expect(clippy::unwrap_used, reason = "a test fails where something is missing")]
 
+mod generated;
+mod links;
+
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::Command;
+
+/// The repository.
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
+}
+
+fn page(name: &str) -> String {
+    fs::read_to_string(root().join(name)).unwrap()
+}
 
 /// The fenced blocks of a page: what stands behind the opening fence, and the lines.
 fn blocks(page: &str) -> Vec<(&str, &str)> {
@@ -46,13 +59,11 @@ fn shows(output: &str, quoted: &[&str]) -> bool {
     true
 }
 
-#[test]
-fn the_first_hour_runs_as_it_stands() {
-    let page =
-        fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/first-hour.md")).unwrap();
+/// Plays a page; returns how many commands it has.
+fn played(page: &str) -> usize {
     let folder = tempfile::tempdir().unwrap();
     let mut count = 0;
-    for (about, text) in blocks(&page) {
+    for (about, text) in blocks(page) {
         if let Some(names) = about.strip_prefix("toml ") {
             write(folder.path(), names, text);
         }
@@ -77,5 +88,10 @@ fn the_first_hour_runs_as_it_stands() {
             count += 1;
         }
     }
-    assert_eq!(count, 8, "commands of the page");
+    count
+}
+
+#[test]
+fn the_first_hour_runs_as_it_stands() {
+    assert_eq!(played(&page("docs/first-hour.md")), 8, "commands of the page");
 }
