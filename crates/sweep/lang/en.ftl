@@ -34,7 +34,7 @@ sweep-at-position = position { $position }: { $problem }
 sweep-in-line = { $problem } (line { $line })
 sweep-not-finite = the number found for `{ $column }` is not finite
 sweep-misfit = the passive links fail to fit by { $misfit } over the cycle
-sweep-write-tie = write it as KEY=KEY or KEY=KEY*FACTOR; the second key is varied
+sweep-write-tie = write it as KEY=KEY, KEY=KEY*FACTOR or KEY=KEY*FACTOR+CONSTANT; the second key is varied
 sweep-tie-not-varied = it follows `{ $key }`, which is not varied: name that key in --vary
 sweep-tie-other-quantity = it is { $own } and would follow `{ $key }`, { $other }: write the factor in SI units (even *1) if that is meant
 sweep-measure-pf = greatest magnitudes of the first and second transfer functions of points, slides and links, between positions too

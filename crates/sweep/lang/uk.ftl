@@ -34,7 +34,7 @@ sweep-at-position = положення { $position }: { $problem }
 sweep-in-line = { $problem } (рядок { $line })
 sweep-not-finite = число, знайдене для `{ $column }`, нескінченне
 sweep-misfit = пасивні ланки розходяться за цикл на { $misfit }
-sweep-write-tie = запишіть як KEY=KEY або KEY=KEY*FACTOR; другий ключ варіюється
+sweep-write-tie = запишіть як KEY=KEY, KEY=KEY*FACTOR або KEY=KEY*FACTOR+CONSTANT; другий ключ варіюється
 sweep-tie-not-varied = він залежить від `{ $key }`, який не варіюється: назвіть той ключ у --vary
 sweep-tie-other-quantity = це { $own }, а `{ $key }`, від якого він залежав би, — це { $other }: якщо так задумано, запишіть множник в одиницях SI (навіть *1)
 sweep-measure-pf = найбільші модулі перших і других передавальних функцій точок, поступальних пар і ланок, і між положеннями

@@ -9,7 +9,8 @@ use assur_scene::{Dimension, Reading, SceneNumber, Unit, quantity};
 use assur_words::{Describe, Text, joined, name, quantity as quantity_of, text, unit as quantity_unit};
 use strum::VariantArray;
 
-use crate::{SweepError, Tie, Vary, vary::Range as Ends};
+use crate::vary::{Range as Ends, between};
+use crate::{SweepError, Tie, Vary};
 
 /// A parameter that was found in the scene.
 #[derive(Debug, Clone)]
@@ -28,8 +29,10 @@ pub(crate) struct Axis {
     pub(crate) to: f64,
     /// How many values a grid has.
     pub(crate) count: usize,
-    /// The parameter that this one follows, by its number, and the factor; `None` for one of its own.
-    pub(crate) follows: Option<(usize, f64)>,
+    /// The values, where they are listed; `from` and `to` are then the least and the greatest.
+    listed: Vec<f64>,
+    /// The parameter that this one follows; `None` for one of its own.
+    pub(crate) follows: Option<Following>,
     /// The unit of the values; empty for SI.
     name: String,
     /// That unit; `None` for a count.
@@ -40,7 +43,20 @@ pub(crate) struct Axis {
     written: Option<(f64, String)>,
 }
 
-/// One end of a range.
+/// How a parameter follows another one.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Following {
+    /// The number of that parameter.
+    pub(crate) leader: usize,
+    /// By which its value is multiplied.
+    pub(crate) factor: f64,
+    /// What is added, in the unit of that parameter.
+    pub(crate) added: f64,
+    /// The tie behind the key, as it is written.
+    pub(crate) text: String,
+}
+
+/// A value of a range.
 #[derive(Debug, Clone, PartialEq)]
 struct End {
     number: f64,
@@ -53,15 +69,23 @@ impl Axis {
         let key = vary.key.to_string();
         let fault = |problem: Text| SweepError::vary(&key, problem);
         let found = document.find(&vary.key).map_err(fault)?;
-        let (from, to) = ends(vary).map_err(fault)?;
+        let values = ends(vary).map_err(fault)?;
         let numbers: Vec<_> = found.iter().filter_map(|place| scene.number(&place.span)).collect();
-        let dimension = measured(vary, &found, &numbers, [&from, &to]).map_err(fault)?;
-        let (from, to) = in_one_unit(from, to, dimension).map_err(fault)?;
+        let dimension = measured(vary, &found, &numbers, &values).map_err(fault)?;
+        let values = in_one_unit(values, dimension).map_err(fault)?;
         let suffix = dimension.map(suffix).filter(|unit| !unit.is_empty());
         let column = suffix.map_or(key.clone(), |unit| format!("{key}_{unit}"));
-        let unit = dimension.map(|dimension| Unit::of(&from.unit, dimension)).transpose();
+        let name = values[0].unit.clone();
+        let unit = dimension.map(|dimension| Unit::of(&name, dimension)).transpose();
         let unit = unit.map_err(|error| fault(error.describe()))?;
         let count = vary.range.count;
+        let numbers_written: Vec<f64> = values.iter().map(|value| value.number).collect();
+        let (from, to, listed) = if vary.range.listed.is_empty() {
+            (numbers_written[0], numbers_written[numbers_written.len() - 1], Vec::new())
+        } else {
+            let least = numbers_written.iter().copied().fold(f64::INFINITY, f64::min);
+            (least, numbers_written.iter().copied().fold(f64::NEG_INFINITY, f64::max), numbers_written)
+        };
         let written = found.first().and_then(|place| split(place.text.as_ref()?));
         Ok(Self {
             key,
@@ -71,18 +95,19 @@ impl Axis {
                 .any(|place| place.text.as_deref().is_some_and(|text| split(text).is_none())),
             spans: found.into_iter().map(|place| place.span).collect(),
             numbers: numbers.into_iter().cloned().collect(),
-            from: from.number,
-            to: to.number,
+            from,
+            to,
             count,
+            listed,
             follows: None,
-            name: from.unit,
+            name,
             unit,
             measures: dimension,
             written,
         })
     }
 
-    /// Finds a key that follows one of the parameters; its ends are theirs, times the factor.
+    /// Finds a key that follows one of the parameters; its ends follow from theirs.
     pub(crate) fn tied(
         tie: &Tie,
         parameters: &[Self],
@@ -95,10 +120,13 @@ impl Axis {
             SweepError::vary(tie.key.to_string(), text!("sweep-tie-not-varied", key = name(follows)))
         })?;
         let factor = tie.factor.unwrap_or(1.0);
+        let added = parameters[leader].added(tie)?;
         let end = |number: f64| {
-            End { number: decimal(number * factor), unit: parameters[leader].name.clone() }.text()
+            End { number: decimal(number * factor + added), unit: parameters[leader].name.clone() }.text()
         };
-        let range = Ends { from: end(parameters[leader].from), to: end(parameters[leader].to), count: 1 };
+        let ends = [parameters[leader].from, parameters[leader].to].map(end);
+        let [from, to] = ends;
+        let range = Ends { from, to, count: 1, listed: Vec::new() };
         let axis = Self::of(&Vary { key: tie.key.clone(), range }, document, scene)?;
         let kinds = [axis.measures, parameters[leader].measures];
         if let ([Some(own), Some(other)], None) = (kinds, tie.factor)
@@ -108,7 +136,38 @@ impl Axis {
             let key = name(parameters[leader].key.clone());
             return Err(SweepError::vary(axis.key, text!("sweep-tie-other-quantity", own, key, other)));
         }
-        Ok(Self { follows: Some((leader, factor)), ..axis })
+        let constant = tie.added.as_ref().map(|added| format!("+{added}")).unwrap_or_default();
+        let text = format!("{}*{factor}{constant}", parameters[leader].key);
+        Ok(Self { follows: Some(Following { leader, factor, added, text }), ..axis })
+    }
+
+    /// What a tie adds to a multiple of this parameter, in the unit of its values.
+    fn added(&self, tie: &Tie) -> Result<f64, SweepError> {
+        let Some(added) = &tie.added else { return Ok(0.0) };
+        let si = match self.measures {
+            Some(dimension) => quantity(added, dimension).map_err(|error| error.describe()),
+            None => added.parse().map_err(|_| text!("sweep-no-number", text = name(added.clone()))),
+        };
+        let si: f64 = si.map_err(|problem| SweepError::vary(tie.key.to_string(), problem))?;
+        Ok(si / self.si(1.0))
+    }
+
+    /// A value of a grid by its number.
+    pub(crate) fn value(&self, index: usize) -> f64 {
+        let listed = self.listed.get(index).copied();
+        listed.unwrap_or_else(|| between(self.from, self.to, index, self.count))
+    }
+
+    /// The range as it is given: `1 kg..5 kg:9`, `1 kg,2 kg`; of a sample without the count.
+    pub(crate) fn range(&self, has_count: bool) -> String {
+        if let Some(following) = &self.follows {
+            return following.text.clone();
+        }
+        if !self.listed.is_empty() {
+            return self.listed.iter().map(|value| self.shown(*value)).collect::<Vec<_>>().join(",");
+        }
+        let count = if has_count { format!(":{}", self.count) } else { String::new() };
+        format!("{}..{}{count}", self.shown(self.from), self.shown(self.to))
     }
 
     /// Whether both set a number of the scene.
@@ -160,12 +219,16 @@ impl Axis {
         let unit = Unit::of(written, measures).ok().filter(|_| !written.is_empty())?;
         let away = |value: f64| elementary::ln((value / unit.si(*own)).abs()).abs();
         (away(unit.si(end)) < away(end)).then(|| {
+            let listed =
+                self.listed.iter().map(|number| End { number: *number, unit: written.clone() }.text());
             let ends = [self.from, self.to].map(|number| End { number, unit: written.clone() }.text());
+            let values =
+                if self.listed.is_empty() { ends.join("..") } else { listed.collect::<Vec<_>>().join(",") };
             text!(
                 "sweep-other-unit",
                 unit = quantity_unit(measures.si().replace('*', "·")),
                 own = quantity_of(*own, written.clone()),
-                instead = name(format!("{}={}", self.key, ends.join("..")))
+                instead = name(format!("{}={values}", self.key))
             )
         })
     }
@@ -184,19 +247,20 @@ impl Axis {
     }
 }
 
-/// Both ends; if only one has a unit, it applies to both.
-fn ends(vary: &Vary) -> Result<(End, End), Text> {
+/// The ends or the listed values; where some have a unit, and all the same, it applies to the others too.
+fn ends(vary: &Vary) -> Result<Vec<End>, Text> {
     let end = |end: &str| match split(end) {
         Some((number, unit)) => Ok(End { number, unit }),
         None => Err(text!("sweep-no-number", text = name(end.to_owned()))),
     };
-    let (mut from, mut to) = (end(&vary.range.from)?, end(&vary.range.to)?);
-    if from.unit.is_empty() {
-        from.unit.clone_from(&to.unit);
-    } else if to.unit.is_empty() {
-        to.unit.clone_from(&from.unit);
+    let mut all = vary.range.written().into_iter().map(end).collect::<Result<Vec<_>, _>>()?;
+    let mut units: Vec<String> =
+        all.iter().map(|end| end.unit.clone()).filter(|unit| !unit.is_empty()).collect();
+    units.dedup();
+    if let [unit] = &units[..] {
+        all.iter_mut().filter(|end| end.unit.is_empty()).for_each(|end| end.unit.clone_from(unit));
     }
-    Ok((from, to))
+    Ok(all)
 }
 
 impl End {
@@ -211,7 +275,7 @@ fn measured(
     vary: &Vary,
     found: &[TextPlace],
     numbers: &[&SceneNumber],
-    ends: [&End; 2],
+    ends: &[End],
 ) -> Result<Option<Dimension>, Text> {
     let Some((first, others)) = numbers.split_first().filter(|_| numbers.len() == found.len()) else {
         let is_text = found.iter().any(|place| place.text.is_some());
@@ -227,7 +291,7 @@ fn measured(
         ([], []) if !numbers.iter().all(|number| number.is_count()) => {
             Err(text!("sweep-takes-no-number", key = &vary.key))
         }
-        ([], []) if ends.into_iter().all(is_bare) => Ok(None),
+        ([], []) if ends.iter().all(is_bare) => Ok(None),
         ([], []) => Err(text!("sweep-count", key = &vary.key)),
         ([], [kind, ..]) => {
             let wrong = ends.iter().find_map(|end| quantity(&end.text(), *kind).err());
@@ -237,20 +301,17 @@ fn measured(
     }
 }
 
-/// The ends in the unit of both, so that decimal steps stay decimal; in SI if they have different units.
-fn in_one_unit(from: End, to: End, dimension: Option<Dimension>) -> Result<(End, End), Text> {
-    let si = |end: &End| match dimension.filter(|_| !end.unit.is_empty()) {
-        Some(dimension) => quantity(&end.text(), dimension).map_err(|error| error.describe()),
-        None => Ok(end.number),
+/// The values in the unit of all, so that decimal steps stay decimal; in SI if they have different units.
+fn in_one_unit(mut values: Vec<End>, dimension: Option<Dimension>) -> Result<Vec<End>, Text> {
+    let Some(dimension) = dimension.filter(|_| values.iter().any(|value| value.unit != values[0].unit))
+    else {
+        return Ok(values);
     };
-    let numbers = (si(&from)?, si(&to)?);
-    match dimension {
-        Some(dimension) if from.unit != to.unit => {
-            let end = |number| End { number, unit: dimension.si().to_owned() };
-            Ok((end(numbers.0), end(numbers.1)))
-        }
-        _ => Ok((from, to)),
+    for value in values.iter_mut().filter(|value| !value.unit.is_empty()) {
+        value.number = quantity(&value.text(), dimension).map_err(|error| error.describe())?;
     }
+    values.iter_mut().for_each(|value| dimension.si().clone_into(&mut value.unit));
+    Ok(values)
 }
 
 /// The unit as the end of a column's name, `kgm2`, `m_per_s`; empty for a plain number.

@@ -3,7 +3,7 @@
 use assur_scene::edit::decimal;
 use sobol_burley::parts::{hash, owen_scramble_rev, sobol_rev};
 
-use crate::{axis::Axis, vary::between};
+use crate::axis::Axis;
 
 /// Most parameters of a sample: Sobol sequences of more dimensions are not available.
 pub(crate) const MOST_SAMPLED: usize = sobol_burley::NUM_DIMENSIONS as usize;
@@ -39,7 +39,7 @@ impl Points {
                 let mut rest = index;
                 for (axis, out) in axes.iter().zip(&mut *out).rev().filter(|(axis, _)| axis.follows.is_none())
                 {
-                    *out = between(axis.from, axis.to, rest % axis.count, axis.count);
+                    *out = axis.value(rest % axis.count);
                     rest /= axis.count;
                 }
             }
@@ -52,8 +52,8 @@ impl Points {
             }
         }
         for (index, axis) in axes.iter().enumerate() {
-            if let Some((leader, factor)) = axis.follows {
-                out[index] = decimal(factor * out[leader]);
+            if let Some(following) = &axis.follows {
+                out[index] = decimal(following.factor * out[following.leader] + following.added);
             }
         }
     }

@@ -124,14 +124,8 @@ impl Sweep {
 
     /// The parameters and what follows them, with their ranges, one text each, as they are given: `link.crank.mass=1 kg..5 kg:9`.
     pub(crate) fn ranges(&self) -> impl Iterator<Item = String> + '_ {
-        self.axes.iter().map(|axis| {
-            let count =
-                if matches!(self.points, Points::Grid) { format!(":{}", axis.count) } else { String::new() };
-            match axis.follows {
-                Some((leader, factor)) => format!("{}={}*{factor}", axis.key, self.axes[leader].key),
-                None => format!("{}={}..{}{count}", axis.key, axis.shown(axis.from), axis.shown(axis.to)),
-            }
-        })
+        let has_count = matches!(self.points, Points::Grid);
+        self.axes.iter().map(move |axis| format!("{}={}", axis.key, axis.range(has_count)))
     }
 
     /// How many points there are.

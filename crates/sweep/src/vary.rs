@@ -29,7 +29,7 @@ pub struct Vary {
 }
 
 impl Vary {
-    /// Reads `KEY=FROM..TO:N` for a grid, `KEY=FROM..TO` for a sample.
+    /// Reads `KEY=FROM..TO:N` or `KEY=VALUE,VALUE,...` for a grid, `KEY=FROM..TO` for a sample.
     pub fn parse(text: &str, points: Points) -> Result<Self, SweepError> {
         let fault = |problem: Text| SweepError::vary(text, problem);
         let (key, range) = text.rsplit_once('=').unwrap_or((text, ""));
@@ -38,7 +38,7 @@ impl Vary {
     }
 }
 
-/// A key that follows a parameter: its value is the parameter's, times a factor.
+/// A key that follows a parameter: its value is the parameter's, times a factor, plus a constant.
 ///
 /// # Examples
 ///
@@ -47,8 +47,9 @@ impl Vary {
 ///
 /// assert!(Tie::parse("link.lower.points.B=link.upper.points.A").is_ok());
 /// assert!(Tie::parse("link.lower.points.B=link.upper.points.A*1.5").is_ok());
+/// assert!(Tie::parse("link.lower.points.B=link.upper.points.A*1.5+20 mm").is_ok());
 /// let error = Tie::parse("link.lower.points.B").unwrap_err();
-/// assert_eq!(error.to_string(), "`link.lower.points.B`: write it as KEY=KEY or KEY=KEY*FACTOR; the second key is varied");
+/// assert_eq!(error.to_string(), "`link.lower.points.B`: write it as KEY=KEY, KEY=KEY*FACTOR or KEY=KEY*FACTOR+CONSTANT; the second key is varied");
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Tie {
@@ -56,13 +57,20 @@ pub struct Tie {
     pub(crate) follows: Key,
     /// `None` where none is written, which is 1.
     pub(crate) factor: Option<f64>,
+    /// What is added, as it is written; `None` where nothing is.
+    pub(crate) added: Option<String>,
 }
 
 impl Tie {
-    /// Reads `KEY=KEY` or `KEY=KEY*FACTOR`; the second key is that of the parameter.
+    /// Reads `KEY=KEY`, `KEY=KEY*FACTOR`, each also with `+CONSTANT`; the second key is that of the parameter.
     pub fn parse(text: &str) -> Result<Self, SweepError> {
         let fault = |problem: Text| SweepError::vary(text, problem);
         let (key, follows) = text.split_once('=').ok_or_else(|| fault(text!("sweep-write-tie")))?;
+        // A number such as 1e+3 has a sign of its own.
+        let (follows, added) = match follows.split_once('+').filter(|(before, _)| !is_exponent(before)) {
+            Some((follows, added)) => (follows.trim_end(), Some(added.trim().to_owned())),
+            None => (follows, None),
+        };
         // A `*` in brackets stands for all elements of a list.
         let (follows, factor) = match follows.rsplit_once('*').filter(|(_, factor)| !factor.contains(']')) {
             Some((follows, factor)) => {
@@ -75,8 +83,15 @@ impl Tie {
             key: Key::parse(key).map_err(fault)?,
             follows: Key::parse(follows).map_err(fault)?,
             factor,
+            added,
         })
     }
+}
+
+/// Whether a text ends within the exponent of a number: `2*1e`.
+fn is_exponent(before: &str) -> bool {
+    let digits = before.strip_suffix(['e', 'E']).unwrap_or_default();
+    before.contains('*') && digits.ends_with(|letter: char| letter.is_ascii_digit() || letter == '.')
 }
 
 /// A place in the ground's frame whose distance from a point is measured.
@@ -140,6 +155,19 @@ pub(crate) struct Range {
     pub(crate) to: String,
     /// How many values of a grid, at least 1; of a sample 1.
     pub(crate) count: usize,
+    /// All values, where they are listed; else none.
+    pub(crate) listed: Vec<String>,
+}
+
+impl Range {
+    /// What is written: the values of a list, or both ends.
+    pub(crate) fn written(&self) -> Vec<&str> {
+        if self.listed.is_empty() {
+            vec![&self.from, &self.to]
+        } else {
+            self.listed.iter().map(String::as_str).collect()
+        }
+    }
 }
 
 pub(crate) fn parse_range(range: &str, points: Points) -> Result<Range, Text> {
@@ -147,6 +175,10 @@ pub(crate) fn parse_range(range: &str, points: Points) -> Result<Range, Text> {
         Points::Grid => text!("sweep-write-grid"),
         Points::Sample { .. } => text!("sweep-write-sample"),
     };
+    if let (Points::Grid, Some(listed)) = (points, listed(range)) {
+        let (from, to) = (listed[0].clone(), listed[listed.len() - 1].clone());
+        return Ok(Range { from, to, count: listed.len(), listed });
+    }
     let (ends, count) = match points {
         Points::Grid => range.rsplit_once(':').ok_or_else(wrong)?,
         Points::Sample { .. } => (range, "1"),
@@ -158,7 +190,14 @@ pub(crate) fn parse_range(range: &str, points: Points) -> Result<Range, Text> {
     }
     let found: Option<usize> = count.trim().parse().ok().filter(|count| *count > 0);
     let count = found.ok_or_else(|| text!("sweep-wrong-count", count = name(count.trim().to_owned())))?;
-    Ok(Range { from: from.to_owned(), to: to.to_owned(), count })
+    Ok(Range { from: from.to_owned(), to: to.to_owned(), count, listed: Vec::new() })
+}
+
+/// The values of a list, `90 mm,100 mm,125 mm`; `None` of what is none.
+fn listed(range: &str) -> Option<Vec<String>> {
+    let values: Vec<String> = range.split(',').map(|value| value.trim().to_owned()).collect();
+    let is_list = values.len() > 1 && !range.contains("..") && values.iter().all(|value| !value.is_empty());
+    is_list.then_some(values)
 }
 
 /// Value `index` of `count` equally spaced ones; the ends are exact.

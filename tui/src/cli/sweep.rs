@@ -54,11 +54,12 @@ pub(crate) struct SweepArgs {
     scene: PathBuf,
     /// N values of a number of the scene, equally spaced, both ends included, such as
     /// "link.crank.points.A=100 mm..140 mm:5"; once more for each further parameter, the last changes fastest.
-    /// With --sample without N: KEY=FROM..TO
-    #[arg(long, required = true, value_name = "KEY=FROM..TO:N", allow_hyphen_values = true)]
+    /// Or a list of values: "link.crank.points.A=100 mm,110 mm,125 mm". With --sample without N: KEY=FROM..TO
+    #[arg(long, required = true, value_name = "KEY=VALUES", allow_hyphen_values = true)]
     vary: Vec<String>,
-    /// A key of the scene that follows a varied one: KEY=KEY gives it the same value, KEY=KEY*FACTOR a multiple
-    #[arg(long, value_name = "KEY=KEY[*FACTOR]", allow_hyphen_values = true)]
+    /// A key of the scene that follows a varied one: KEY=KEY gives it the same value, KEY=KEY*FACTOR a multiple, and +CONSTANT behind it adds
+    /// to that, such as "+20 mm"
+    #[arg(long, value_name = "KEY=KEY[*FACTOR][+CONSTANT]", allow_hyphen_values = true)]
     tie: Vec<String>,
     /// Measure the distance of a point from a place of the ground, such as "E=100 mm,50 mm"; once more for each further place
     #[arg(long, value_name = "POINT=X,Y", allow_hyphen_values = true)]

@@ -26,6 +26,24 @@ fn both_ends_are_values_and_decimal_steps_stay_decimal() {
 }
 
 #[test]
+fn listed_values_are_taken_in_their_order() {
+    let lengths = |list: &str| {
+        let table = run(SLIDER, &[&format!("link.crank.points.A={list}")], 1);
+        numbers(&table, "link.crank.points.A_m")
+    };
+    assert_eq!(lengths("125 mm,100 mm,140 mm"), [0.125, 0.1, 0.14]);
+    assert_eq!(lengths("125, 100, 140 mm"), [0.125, 0.1, 0.14], "one unit is that of all");
+    assert_eq!(lengths("10 cm,140 mm"), [0.1, 0.14], "two units");
+    assert_eq!(lengths("0.1,0.14"), [0.1, 0.14], "SI");
+    let both = run(SLIDER, &["link.crank.points.A=0.1,0.12", "link.piston.mass=1 kg..3 kg:3"], 2);
+    assert_eq!(numbers(&both, "link.piston.mass_kg"), [1.0, 2.0, 3.0, 1.0, 2.0, 3.0]);
+    let listed = sweep(SLIDER, &["link.crank.points.A=125 mm,100 mm"]).unwrap();
+    assert_eq!(listed.ranges().collect::<Vec<_>>(), ["link.crank.points.A=125 mm,100 mm"]);
+    let error = sweep(SLIDER, &["link.crank.points.A=100 mm,2 kg"]).unwrap_err().to_string();
+    assert!(error.contains("kg"), "{error}");
+}
+
+#[test]
 fn columns_are_named_by_what_the_scene_takes_there() {
     for (vary, name, first) in [
         ("slide[0].angle=5..10 deg:2", "slide[0].angle_rad", 5.0_f64.to_radians()),

@@ -126,6 +126,14 @@ fn a_tied_key_follows_its_parameter() {
     let swing = 2.0 * (1.0_f64 / 3.0).asin();
     assert!(numbers(&table, "rod_stroke_rad").iter().all(|found| (found - swing).abs() < 1e-12));
     assert_eq!(sweep.ranges().collect::<Vec<_>>()[1], "link.rod.points.B=link.crank.points.A*3");
+    // A constant has a unit of its own.
+    for tie in ["link.crank.points.A*3+20 mm", "link.crank.points.A*3+0.02", "link.crank.points.A*3+2 cm"] {
+        let sweep = requested(SLIDER, &vary, request(&format!("link.rod.points.B={tie}"))).unwrap();
+        assert_eq!(numbers(&rows(&sweep, 1), "link.rod.points.B_m"), [0.32, 0.38, 0.44], "{tie}");
+        assert_eq!(sweep.ranges().collect::<Vec<_>>()[1], format!("link.rod.points.B={tie}"));
+    }
+    let heavy = requested(SLIDER, &vary, request("link.rod.points.B=link.crank.points.A+2 kg"));
+    assert!(heavy.unwrap_err().to_string().contains("kg"));
     let error =
         requested(SLIDER, &vary, request("link.rod.points.B=link.piston.mass")).unwrap_err().to_string();
     assert_eq!(
