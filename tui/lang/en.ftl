@@ -506,6 +506,8 @@ cli-sweep-ended = an interrupted sweep is here: continue it with --resume, or re
 cli-sweep-foreign = row { $row } does not belong to this sweep: remove it, or repeat the call that wrote it
 cli-sweep-other = it belongs to another sweep: { $difference }; remove it, or repeat the call that wrote it
 cli-sweep-failures = error: no solution at { $failures } of { $points } points; the first, { $point }: { $message }
+cli-sweep-best = best: { $column } = { $value } at point { $point }: { $values }
+cli-sweep-no-best = no point has a value of { $column }
 verdict-more-positions = error: no solution in { $count } more positions: { $positions }
 verdict-failed = FAILED: { $check }: { $reason }
 verdict-not-judged = not judged: { $check }: { $reason }

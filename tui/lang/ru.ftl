@@ -481,6 +481,8 @@ cli-sweep-ended = здесь прерванный перебор: продолж
 cli-sweep-foreign = строка { $row } не из этого перебора: удалите её или повторите вызов, который её записал
 cli-sweep-other = это из другого перебора: { $difference }; удалите или повторите вызов, который это записал
 cli-sweep-failures = ошибка: нет решения в { $failures } из { $points } точек; первая, { $point }: { $message }
+cli-sweep-best = лучшая: { $column } = { $value } в точке { $point }: { $values }
+cli-sweep-no-best = ни у одной точки нет значения { $column }
 verdict-more-positions = ошибка: нет решения ещё в { $count } положениях: { $positions }
 verdict-failed = НЕ ВЫПОЛНЕНО: { $check }: { $reason }
 verdict-not-judged = не оценено: { $check }: { $reason }

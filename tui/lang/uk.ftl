@@ -478,6 +478,8 @@ cli-sweep-ended = тут перерваний перебір: продовжіт
 cli-sweep-foreign = рядок { $row } не з цього перебору: вилучіть його або повторіть виклик, що його записав
 cli-sweep-other = це з іншого перебору: { $difference }; вилучіть або повторіть виклик, що це записав
 cli-sweep-failures = помилка: немає розв'язку в { $failures } з { $points } точок; перша, { $point }: { $message }
+cli-sweep-best = найкраща: { $column } = { $value } у точці { $point }: { $values }
+cli-sweep-no-best = жодна точка не має значення { $column }
 verdict-more-positions = помилка: немає розв'язку ще в { $count } положеннях: { $positions }
 verdict-failed = НЕ ВИКОНАНО: { $check }: { $reason }
 verdict-not-judged = не оцінено: { $check }: { $reason }

@@ -457,3 +457,38 @@ fn bare_numbers_of_another_unit_are_doubted() {
         }
     }
 }
+
+#[test]
+fn the_best_point_is_that_of_the_rows_and_its_scene_is_written() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("a.toml"), assur_fixtures::scene("four-bar")).unwrap();
+    let run = |arguments: &str| {
+        let output = Command::new(env!("CARGO_BIN_EXE_assur"))
+            .args(arguments.split(' '))
+            .current_dir(&folder)
+            .env("LC_ALL", "C.UTF-8")
+            .output()
+            .unwrap();
+        let [out, err] = [output.stdout, output.stderr].map(|bytes| String::from_utf8(bytes).unwrap());
+        (out, err)
+    };
+    let key = "link.crank.points.A";
+    let column = "least_transmission_angle_rad";
+    let sweep =
+        format!("sweep a.toml --vary {key}=70mm,90mm,80mm,85mm --measure transmission").replace("mm", "e-3");
+    let (rows, _) = run(&sweep);
+    let rows: Vec<Vec<&str>> = rows.lines().map(|line| line.split(',').collect()).collect();
+    let place = |wanted: &str| rows[0].iter().position(|own| *own == wanted);
+    let at = place(column).unwrap_or_else(|| panic!("{:?}", rows[0]));
+    for (word, sign) in [("least", 1.0), ("greatest", -1.0)] {
+        let value = |row: &&Vec<&str>| sign * row[at].parse::<f64>().unwrap();
+        let best = rows[1..].iter().min_by(|one, other| value(one).total_cmp(&value(other))).unwrap();
+        let (written, told) = run(&format!("{sweep} --best {word}:{column} --best-scene {word}.toml"));
+        assert_eq!(written.lines().count(), 5, "all rows are written all the same");
+        assert!(told.contains(best[0].trim_end_matches('0')), "{told}");
+        let scene = std::fs::read_to_string(folder.path().join(format!("{word}.toml"))).unwrap();
+        assert!(scene.contains(&format!("A = {}", best[0])), "{scene}");
+    }
+    let (_, told) = run(&format!("{sweep} --best least:least_transmision_angle_rad"));
+    assert!(told.contains(column), "{told}");
+}

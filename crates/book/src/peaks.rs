@@ -5,6 +5,7 @@ use assur_analysis::results::{
     Column, Edges, Extreme, Means, Owner, Part, Peaks, Quantity, Schema, Statistic, Table, Turn,
 };
 use assur_kinematics::continuous_angle;
+use assur_number::ROUNDING;
 
 use crate::{Course, catalogue::reactions};
 
@@ -47,7 +48,7 @@ fn columns(schema: &Schema) -> Vec<Column> {
 }
 
 /// The extreme of a course that `pick` chooses, refined between the positions; infinite where it grows without limit beside places
-/// without a value. A constant has its first value.
+/// without a value. Of a constant the first position counts.
 fn most(
     calculation: &Calculation,
     course: &Course,
@@ -60,9 +61,18 @@ fn most(
     let near: Vec<Turn> = turns.into_iter().filter(|turn| (turn.value.abs() - best).abs() <= far).collect();
     let mut found = calculation.refined(&near, read);
     found.extend(calculation.unlimited(&course.ends(), read));
-    let found = pick(&Turn::statistic(&found)).map(|best| found[best.number]);
-    let first = || course.nodes().first().map(|node| Turn::at(node.at, node.value));
-    found.or_else(first)
+    let found = picked(&found, pick);
+    // Positions that stand alone among those without a value are no extremes of a curve.
+    let nodes: Vec<Turn> = course.nodes().iter().map(|node| Turn::at(node.at, node.value)).collect();
+    let node = picked(&nodes, pick);
+    let (Some(one), Some(other)) = (found, node) else { return found.or(node) };
+    let is_above = (other.value - one.value).abs() > ROUNDING * other.value.abs();
+    if is_above { picked(&[one, other], pick) } else { found }
+}
+
+/// The extreme that `pick` chooses of some.
+fn picked(turns: &[Turn], pick: fn(&Statistic) -> Option<Extreme>) -> Option<Turn> {
+    pick(&Turn::statistic(turns)).map(|best| turns[best.number])
 }
 
 /// What a quantity reaches over the positions and between them.

@@ -35,6 +35,8 @@ sweep-in-line = { $problem } (line { $line })
 sweep-not-finite = the number found for `{ $column }` is not finite
 sweep-misfit = the passive links fail to fit by { $misfit } over the cycle
 sweep-write-tie = write it as KEY=KEY, KEY=KEY*FACTOR or KEY=KEY*FACTOR+CONSTANT; the second key is varied
+sweep-write-best = write it as least:COLUMN or greatest:COLUMN
+sweep-no-column = there is no column { $column }: one of { $columns }; --measure adds others
 sweep-tie-not-varied = it follows `{ $key }`, which is not varied: name that key in --vary
 sweep-tie-other-quantity = it is { $own } and would follow `{ $key }`, { $other }: write the factor in SI units (even *1) if that is meant
 sweep-measure-pf = greatest magnitudes of the first and second transfer functions of points, slides and links, between positions too

@@ -35,6 +35,8 @@ sweep-in-line = { $problem } (строка { $line })
 sweep-not-finite = число, найденное для `{ $column }`, бесконечно
 sweep-misfit = пассивные звенья расходятся за цикл на { $misfit }
 sweep-write-tie = запишите как KEY=KEY, KEY=KEY*FACTOR или KEY=KEY*FACTOR+CONSTANT; второй ключ варьируется
+sweep-write-best = запишите как least:COLUMN или greatest:COLUMN
+sweep-no-column = столбца { $column } нет: один из { $columns }; --measure добавляет другие
 sweep-tie-not-varied = он зависит от `{ $key }`, который не варьируется: назовите тот ключ в --vary
 sweep-tie-other-quantity = это { $own }, а `{ $key }`, от которого он зависел бы, — это { $other }: если так задумано, запишите множитель в единицах SI (даже *1)
 sweep-measure-pf = наибольшие модули первых и вторых передаточных функций точек, поступательных пар и звеньев, и между положениями

@@ -35,6 +35,8 @@ sweep-in-line = { $problem } (рядок { $line })
 sweep-not-finite = число, знайдене для `{ $column }`, нескінченне
 sweep-misfit = пасивні ланки розходяться за цикл на { $misfit }
 sweep-write-tie = запишіть як KEY=KEY, KEY=KEY*FACTOR або KEY=KEY*FACTOR+CONSTANT; другий ключ варіюється
+sweep-write-best = запишіть як least:COLUMN або greatest:COLUMN
+sweep-no-column = стовпця { $column } немає: один із { $columns }; --measure додає інші
 sweep-tie-not-varied = він залежить від `{ $key }`, який не варіюється: назвіть той ключ у --vary
 sweep-tie-other-quantity = це { $own }, а `{ $key }`, від якого він залежав би, — це { $other }: якщо так задумано, запишіть множник в одиницях SI (навіть *1)
 sweep-measure-pf = найбільші модулі перших і других передавальних функцій точок, поступальних пар і ланок, і між положеннями

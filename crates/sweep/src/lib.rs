@@ -27,6 +27,7 @@
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
 mod axis;
+mod best;
 mod between;
 mod error;
 mod layout;
@@ -43,6 +44,7 @@ mod variants;
 mod vary;
 
 pub use axis::suffixes;
+pub use best::{Best, Judged};
 pub use error::SweepError;
 pub use measure::{MEASURES, Measure};
 pub use origin::{Origin, difference};

@@ -166,6 +166,11 @@ impl Rows {
         self.outcomes.get(row).map(|outcome| (outcome.status, outcome.message.as_str()))
     }
 
+    /// The number of a cell; `None` of one that is empty or has a text.
+    pub(crate) fn number(&self, row: usize, column: usize) -> Option<f64> {
+        if let CsvCell::Number(number) = self.cell(row, column) { Some(number) } else { None }
+    }
+
     /// One cell; empty outside the table.
     pub fn cell(&self, row: usize, column: usize) -> CsvCell<'_> {
         let (columns, width) = (&self.columns, self.columns.names.len());

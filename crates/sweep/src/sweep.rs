@@ -207,6 +207,11 @@ impl Sweep {
         Worker::new(self).rows(index..index + 1)
     }
 
+    /// The text of the scene of one point, its comments kept.
+    pub fn scene(&self, index: usize) -> String {
+        self.variants.text(&self.axes, &self.numbers(index))
+    }
+
     /// Why one point has no values; `None` where it has.
     pub fn failure(&self, index: usize) -> Option<Text> {
         Worker::new(self).calculate(index).err().map(|failure| failure.message)

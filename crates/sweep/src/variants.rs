@@ -66,10 +66,15 @@ impl Variants {
 
     /// Reads the scene with these values of the parameters, each in the unit of its range.
     pub(crate) fn read(&self, axes: &[Axis], numbers: &[f64]) -> Result<Mechanism, SceneErrors> {
+        assur_scene::read(&self.file, &self.text(axes, numbers))
+    }
+
+    /// The text of the scene with these values of the parameters, each in the unit of its range.
+    pub(crate) fn text(&self, axes: &[Axis], numbers: &[f64]) -> String {
         let texts: Vec<String> = axes.iter().zip(numbers).map(|(axis, number)| axis.toml(*number)).collect();
         let edits = axes.iter().zip(&texts);
         let edits = edits.flat_map(|(axis, text)| axis.spans.iter().map(move |span| (span, text.as_str())));
-        assur_scene::read(&self.file, &replaced(&self.scene, edits))
+        replaced(&self.scene, edits)
     }
 
     /// The mechanism of a point at which as few parameters as possible are zero, so that no load or mass is missing there;

@@ -8,9 +8,11 @@ use std::fmt::Write;
 use std::num::{NonZeroU32, NonZeroUsize};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
+use std::sync::Mutex;
 
 use assur_sweep::{
-    MEASURES, Measure, Origin, Points, Sweep, SweepError, SweepRequest, Tally, Target, Tie, Vary,
+    Best, Judged, MEASURES, Measure, Origin, Points, Sweep, SweepError, SweepRequest, Tally, Target, Tie,
+    Vary,
 };
 use assur_words::{Describe, Told, number, text};
 use clap::Args;
@@ -21,6 +23,7 @@ use super::output::{self, Output};
 use super::scene;
 use super::style::Style;
 use crate::files::{self, FileError};
+use crate::lock;
 use crate::progress::ProgressLine;
 use target::{Form, begun, form};
 
@@ -77,6 +80,12 @@ pub(crate) struct SweepArgs {
     /// positions only, which is far faster
     #[arg(long)]
     between: bool,
+    /// Tell the point with the least or the greatest value of a column, of those that are ok: least:balancing_rms_Nm
+    #[arg(long, value_name = "least:COLUMN", conflicts_with = "resume")]
+    best: Option<String>,
+    /// Write the scene of that point
+    #[arg(long, value_name = "FILE.toml", requires = "best")]
+    best_scene: Option<PathBuf>,
     /// Write to this file (*.csv or *.parquet) instead of CSV to standard output
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -105,15 +114,28 @@ pub(crate) fn run(args: &SweepArgs, style: Style) -> Result<Status, Fault> {
     let output = args.output.as_deref().filter(|path| !output::is_standard(path));
     let form = output.map_or(Ok(Form::Csv), form)?;
     let sweep = sweep(args, style)?;
-    let job = Job::of(args, &sweep, style);
+    let job = Job { judge: judge(args, &sweep)?, ..Job::of(args, &sweep, style) };
+    let best_scene = Output::of(args.best_scene.as_deref(), &args.scene)?;
     job.tell_size();
     if let Some(path) = output.filter(|path| !files::is_stream(path)) {
         job.refuse_without_room(path, form)?;
     }
-    match (output, form) {
+    let status = match (output, form) {
         (Some(path), Form::Parquet) => parts::run(&job, path, args.resume),
         (path, _) => lines::run(&job, path, args.resume),
+    }?;
+    if let Some(best) = job.tell_best()
+        && args.best_scene.is_some()
+    {
+        best_scene.write(sweep.scene(best), Status::Done)?;
     }
+    Ok(status)
+}
+
+/// What is looked for among the rows, and the index of its column.
+fn judge(args: &SweepArgs, sweep: &Sweep) -> Result<Option<(Best, usize)>, Fault> {
+    let best = args.best.as_deref().map(Best::parse).transpose()?;
+    Ok(best.map(|best| best.find(&sweep.columns).map(|column| (best, column))).transpose()?)
 }
 
 fn sweep(args: &SweepArgs, style: Style) -> Result<Sweep, Fault> {
@@ -155,6 +177,10 @@ struct Job<'a> {
     is_first: bool,
     threads: NonZeroUsize,
     style: Style,
+    /// By what points are judged.
+    judge: Option<(Best, usize)>,
+    /// The best point so far.
+    best: Mutex<Option<Judged>>,
 }
 
 impl<'a> Job<'a> {
@@ -163,7 +189,16 @@ impl<'a> Job<'a> {
         let [part, parts] = [part, parts].map(|number| number.get() as usize);
         let threads = args.threads.or_else(|| std::thread::available_parallelism().ok());
         let (points, threads) = (sweep.part(part, parts), threads.unwrap_or(NonZeroUsize::MIN));
-        Self { scene: &args.scene, sweep, points, is_first: part == 1, threads, style }
+        Self {
+            scene: &args.scene,
+            sweep,
+            points,
+            is_first: part == 1,
+            threads,
+            style,
+            judge: None,
+            best: Mutex::new(None),
+        }
     }
 
     /// What the rows take as CSV, at most about.
@@ -208,13 +243,19 @@ impl<'a> Job<'a> {
         let (line, total) = (ProgressLine::new(self.style.language), self.points.len());
         line.count(&text!("progress-point"), done, total);
         let mut finished = done;
+        let judge = self.judge.as_ref();
         let encode = |rows: assur_sweep::Rows| {
             let tally = Tally::of(&rows);
-            encode(rows).map(|encoded| (encoded, tally))
+            let best = judge.and_then(|(judge, column)| judge.of(&rows, *column));
+            encode(rows).map(|encoded| (encoded, tally, best))
         };
         let points = self.points.start + done..self.points.end;
         self.sweep.run(&points, self.threads, encode, |block| {
-            let (encoded, tally) = block?;
+            let (encoded, tally, best) = block?;
+            if let Some((judge, _)) = judge {
+                let mut found = lock(&self.best);
+                *found = judge.better(*found, best);
+            }
             finished += tally.points;
             accept(encoded, tally)?;
             line.count(&text!("progress-point"), finished, total);
@@ -228,6 +269,25 @@ impl<'a> Job<'a> {
             return Ok(());
         }
         Err(fault(self.scene, self.sweep.all_refused(self.points.start)))
+    }
+
+    /// Tells the best point, and returns its number.
+    fn tell_best(&self) -> Option<usize> {
+        let (judge, _) = self.judge.as_ref()?;
+        let column = assur_words::name(judge.column().to_owned());
+        let Some(Judged { point, value }) = *lock(&self.best) else {
+            self.style.tell(text!("cli-sweep-no-best", column));
+            return None;
+        };
+        let values = self.sweep.describe(point);
+        self.style.tell(text!(
+            "cli-sweep-best",
+            column,
+            value = number(value),
+            point = number(point),
+            values
+        ));
+        Some(point)
     }
 
     /// Points without a solution are reported on standard error, the first one in full.

@@ -92,6 +92,16 @@ fn played(page: &str) -> usize {
 }
 
 #[test]
+fn frames_and_signs_are_as_the_page_says() {
+    assert_eq!(played(&page("docs/frames.md")), 13, "commands of the page");
+}
+
+#[test]
+fn the_recipes_run_as_they_stand() {
+    assert_eq!(played(&page("docs/recipes.md")), 14, "commands of the page");
+}
+
+#[test]
 fn the_first_hour_runs_as_it_stands() {
     assert_eq!(played(&page("docs/first-hour.md")), 8, "commands of the page");
 }
