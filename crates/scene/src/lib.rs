@@ -72,7 +72,7 @@ pub const STARTER: &str = include_str!("starter.toml");
 /// let scene = "[ground]\npoints = { O = 0 }\n[link.arm]\npoints = { O = 0 }\nmass = '4 mm'\n[input]\nlink = 'arm'";
 /// let errors = assur_scene::read("arm.toml", scene).unwrap_err();
 /// assert_eq!((errors.errors[0].line, errors.errors[0].column), (5, 8));
-/// assert_eq!(errors.errors[0].message.to_string(), "`mass` wants a mass (kg, g, t, lb), got `mm`, a length");
+/// assert_eq!(errors.errors[0].message.to_string(), "`mass` wants a mass (kg, g, t, lb, slug), got `mm`, a length");
 /// assert!(assur_scene::read("arm.toml", &scene.replace("mm", "kg")).is_ok());
 /// ```
 pub fn read(file_name: &str, text: &str) -> Result<Mechanism, SceneErrors> {

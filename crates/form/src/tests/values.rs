@@ -134,7 +134,7 @@ fn without_a_value_the_default_holds() {
 fn a_field_says_what_its_value_may_be() {
     let mass = of(shaper(), "link.rocker.mass");
     assert_eq!((mass.label.as_str(), mass.unit, mass.shown().as_str()), ("mass", "kg", "12 kg"));
-    assert_eq!(mass.values.to_string(), "a mass (kg, g, t, lb)");
+    assert_eq!(mass.values.to_string(), "a mass (kg, g, t, lb, slug)");
     assert_eq!(mass.limits.to_string(), "0 or greater");
     assert!(of(shaper(), "force[0].link").is_needed());
     // Of an input that turns, and of one that slides.

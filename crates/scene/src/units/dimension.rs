@@ -58,7 +58,7 @@ const ROWS: [UnitRow; 15] = [
     (D::Number, [0, 0, 0, 0], "scene-dimension-plain-number", "", "0.5", 1e15),
     (D::Length, [1, 0, 0, 0], "scene-dimension-length", "m, mm, cm, dm, km, um, in, ft", "120 mm", 1e6),
     (D::Angle, [0, 0, 0, 1], "scene-dimension-angle", "rad, mrad, deg, rev", "30 deg", 1e9),
-    (D::Mass, [0, 1, 0, 0], "scene-dimension-mass", "kg, g, t, lb", "4 kg", 1e12),
+    (D::Mass, [0, 1, 0, 0], "scene-dimension-mass", "kg, g, t, lb, slug", "4 kg", 1e12),
     (D::Time, [0, 0, 1, 0], "scene-dimension-time", "s, ms, min, h", "0.5 s", 1e9),
     (D::Force, [1, 1, -2, 0], "scene-dimension-force", "N, kN, MN, mN, kgf, lbf", "1.5 kN", 1e15),
     (D::Moment, [2, 1, -2, 0], "scene-dimension-moment", "N*m, kN*m, N*mm, lbf*in", "25 N*m", 1e15),
@@ -92,7 +92,7 @@ impl Dimension {
         ROWS.iter().find(|row| row.0 == self).unwrap_or(&ROWS[0])
     }
 
-    /// Its usual units, the SI unit first: "kg, g, t, lb"; empty for a plain number.
+    /// Its usual units, the SI unit first: "kg, g, t, lb, slug"; empty for a plain number.
     pub fn units(self) -> &'static str {
         self.row().3
     }
@@ -112,7 +112,7 @@ impl Dimension {
         self.row().5
     }
 
-    /// Name and units: "a mass (kg, g, t, lb)".
+    /// Name and units: "a mass (kg, g, t, lb, slug)".
     pub(crate) fn with_units(self) -> Text {
         if self == Self::Number {
             return self.describe();

@@ -13,7 +13,7 @@ use assur_words::{Describe, Text, name, text};
 use crate::text::shown;
 
 /// Why a text is no quantity of the wanted dimension. The text of an error continues the name of what was read:
-/// "`mass` " + "wants a mass (kg, g, t, lb), got `mm`, a length".
+/// "`mass` " + "wants a mass (kg, g, t, lb, slug), got `mm`, a length".
 #[derive(Clone, PartialEq)]
 pub struct UnitError {
     /// What is wrong.

@@ -55,6 +55,8 @@ pub(super) const NAMED: &[(&str, f64, f64, i32, Powers)] = &[
     ("g", 1.0, 1e3, 0, KG),
     ("t", 1e3, 1.0, 0, KG),
     ("lb", POUND, 1.0, 0, KG),
+    // The mass that a pound of force accelerates by a foot per second squared.
+    ("slug", POUND * GRAVITY, 0.3048, 0, KG),
     ("s", 1.0, 1.0, 0, S),
     ("ms", 1.0, 1e3, 0, S),
     ("min", 60.0, 1.0, 0, S),

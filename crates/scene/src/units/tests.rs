@@ -27,7 +27,7 @@ const GOOD: &[(&str, Dimension, f64)] = &[
     ("4530 N/m", D::Stiffness, 4530.0), ("4.53 N/mm", D::Stiffness, 4530.0), ("2 kN/m", D::Stiffness, 2000.0),
     ("12 N*s/m", D::Damping, 12.0), ("12 N\u{b7}s/m", D::Damping, 12.0), ("1 kN*s/m", D::Damping, 1000.0),
     ("2 in", D::Length, 0.0508), ("1.5 ft", D::Length, 0.4572), ("1 lbf", D::Force, 4.448_221_615_260_5), ("1 kgf", D::Force, 9.806_65),
-    ("1 hp", D::Power, 745.699_871_582_270_2), ("1 ft lbf", D::Moment, 1.355_817_948_331_400_4), ("2 lb", D::Mass, 0.907_184_74),
+    ("1 hp", D::Power, 745.699_871_582_270_2), ("1 ft lbf", D::Moment, 1.355_817_948_331_400_4), ("2 lb", D::Mass, 0.907_184_74), ("1 slug", D::Mass, 14.593_902_937_206_364),
     ("1.5 kW", D::Power, 1500.0), ("2 W", D::Power, 2.0), ("0.1 MW", D::Power, 1e5),
     ("0.5", D::Number, 0.5), ("4", D::Mass, 4.0), (" 4   kg ", D::Mass, 4.0), ("4kg", D::Mass, 4.0),
     ("1e3 mm", D::Length, 1.0), ("+.5 m", D::Length, 0.5), ("\u{2212}5 m", D::Length, -5.0), ("2 m / s", D::Speed, 2.0),
@@ -63,14 +63,14 @@ fn decimal_units_round_once() {
 
 /// Text, dimension, the whole message.
 const BAD: &[(&str, Dimension, &str)] = &[
-    ("3 mm", D::Mass, "wants a mass (kg, g, t, lb), got `mm`, a length"),
+    ("3 mm", D::Mass, "wants a mass (kg, g, t, lb, slug), got `mm`, a length"),
     ("3 N", D::Moment, "wants a moment (N*m, kN*m, N*mm, lbf*in), got `N`, a force"),
     ("3 m^3", D::Length, "wants a length (m, mm, cm, dm, km, um, in, ft), got `m^3`, no quantity of a scene"),
     ("3 1/s", D::Angle, "wants an angle (rad, mrad, deg, rev), got `1/s`, no quantity of a scene"),
     ("3 rad", D::Number, "wants a plain number, got `rad`, an angle"),
-    ("3 kgg", D::Mass, "wants a mass (kg, g, t, lb), got the unknown unit `kgg`"),
-    ("3 kg*", D::Mass, "wants a mass (kg, g, t, lb), got the unknown unit `kg*`"),
-    ("3 kg^x", D::Mass, "wants a mass (kg, g, t, lb), got the unknown unit `kg^x`"),
+    ("3 kgg", D::Mass, "wants a mass (kg, g, t, lb, slug), got the unknown unit `kgg`"),
+    ("3 kg*", D::Mass, "wants a mass (kg, g, t, lb, slug), got the unknown unit `kg*`"),
+    ("3 kg^x", D::Mass, "wants a mass (kg, g, t, lb, slug), got the unknown unit `kg^x`"),
     (
         "3 m^2147483647",
         D::Length,
