@@ -34,13 +34,13 @@ check-too-near = так близько до особливого положен�
 check-pair = пара { $pair }
 check-pair-by = пара { $pair }, метод { $method }
 check-balancing-by = зрівноважувальне навантаження, метод { $method }
-check-direction = напрямок ланки { $link }
-check-link = ланка { $link }
+check-direction = напрямок ланки «{ $link }»
+check-link = ланка «{ $link }»
 check-pin = шарнір { $pin }
 check-pin-on-ground = шарнір { $pin } на стояку
 check-slide = поступальна пара { $slide }
 check-point-on = точка { $point } на ланці { $link }
-check-center-of-mass = центр мас ланки { $link }
+check-center-of-mass = центр мас ланки «{ $link }»
 check-load-on = { $load } на ланці { $link }
 check-all-loads = усі навантаження
 check-remainder = { $symbol } = { $left }

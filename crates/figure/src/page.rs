@@ -36,17 +36,33 @@ pub struct Style {
     pub fine: f64,
     /// Whether the axes of curves have round scales, which are told.
     pub axes_to_scale: bool,
+    /// Length of the sample of a stroke in a legend, in text sizes.
+    pub sample: f64,
     /// Least width of a page that shrinks to its drawing, and least height of a row of planes, mm.
     pub least: [f64; 2],
 }
 
 impl Style {
     /// Of figures in a text.
-    pub const NOTE: Self =
-        Self { em: EM, thick: 0.7, line: 0.35, fine: 0.18, axes_to_scale: false, least: [100.0, 80.0] };
+    pub const NOTE: Self = Self {
+        em: EM,
+        thick: 0.7,
+        line: 0.35,
+        fine: 0.18,
+        axes_to_scale: false,
+        sample: 2.5,
+        least: [100.0, 80.0],
+    };
     /// Of a drawing sheet: lines of ISO 128, and a text whose capitals and subscripts are 3.5 mm high.
-    pub const SHEET: Self =
-        Self { em: 5.0, thick: 0.8, line: 0.4, fine: 0.2, axes_to_scale: true, least: [30.0, 30.0] };
+    pub const SHEET: Self = Self {
+        em: 5.0,
+        thick: 0.8,
+        line: 0.4,
+        fine: 0.2,
+        axes_to_scale: true,
+        sample: 1.2,
+        least: [30.0, 50.0],
+    };
 
     /// Height of a line of text, mm.
     pub(crate) fn row(&self) -> f64 {
@@ -149,6 +165,13 @@ pub fn size(figure: &Figure, page: Page, style: Style, language: &Language) -> [
     let print = &Print { style, language };
     let Arranged { legend, size: [width, height], .. } = Arranged::of(figure, page, print);
     [width.max(legend::width(&legend, print) + 2.0 * BORDER), height]
+}
+
+/// How many units of the plane of its first panel a millimeter of a page stands for; `None` of curves.
+pub fn plane_scale(figure: &Figure, page: Page, style: Style, language: &Language) -> Option<f64> {
+    let print = &Print { style, language };
+    let rooms = Arranged::of(figure, page, print).rooms;
+    plane::scale_in(figure.panels.first()?, *rooms.first()?, print)
 }
 
 /// The elements of a figure on a page, and the width and height of the page, mm.

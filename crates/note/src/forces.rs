@@ -4,12 +4,12 @@
 use assur_analysis::results::Owner;
 use assur_book::{Document, Table, Unit, catalogue};
 use assur_diagram::VectorPlan;
-use assur_figure::{Figure, Ink, Panel, Stroke, number::digits};
+use assur_figure::{Figure, Ink, Panel, Stroke};
 use assur_force::{Construction, ConstructionStep};
 use assur_picture::forces::{self, beside_friction};
 use assur_picture::{Look, Reaction, Series, ViewPart, curves, plans, plots};
 use assur_report::topic;
-use assur_words::{Text, list, name, number, quantity, text, unit};
+use assur_words::{Text, list, measured, name, number, text, unit};
 
 use crate::context::{Context, on_paper, show, still};
 use crate::formula::Finds;
@@ -109,7 +109,7 @@ fn vectors(polygons: &[(usize, &VectorPlan)], caption: Text) -> Table {
         .column(text!("head-vector"), |(_, (label, _))| name(label.clone()))
         .column(text!("note-force"), |(_, (_, item))| item.name.clone())
         .column(text!("head-acts"), |(_, (_, item))| item.note.clone())
-        .measured(name("F"), Unit::FORCE, |(_, (_, item))| item.size)
+        .measured(text!("note-size"), Unit::FORCE, |(_, (_, item))| item.size)
         .table()
 }
 
@@ -187,7 +187,7 @@ fn stages(construction: &Construction) -> Vec<usize> {
 fn steps(construction: &Construction, caption: Text) -> Table {
     let size = |step: &ConstructionStep| {
         let length = step.vector[0].hypot(step.vector[1]);
-        if length > 0.0 { quantity(digits(length, 5), step.unit) } else { Text::default() }
+        if length > 0.0 { measured(length, 5, step.unit) } else { Text::default() }
     };
     Table::each(caption, construction.steps.iter().enumerate())
         .column(text!("note-step"), |(at, _)| number(at + 1))

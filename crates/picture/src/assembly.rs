@@ -74,7 +74,24 @@ pub fn positions(results: &Results, others: &[usize], chosen: usize) -> Figure {
     }
     items.extend(drawing.items(&pose));
     items.extend(numbers);
-    Figure::of(mechanism::plane(results, items))
+    let legend = mechanism::links(&drawing).collect();
+    Figure { legend, ..Figure::of(mechanism::plane(results, items)) }
+}
+
+/// The symbols of what acts on some links that are taken out of the mechanism in a position, each with what it is; force and moment
+/// of one cause stand together.
+pub fn acting(results: &Results, position: usize, links: &[LinkId]) -> Vec<[Text; 2]> {
+    let shown = Shown::on_links(results, position, links);
+    let mut all: Vec<[Text; 2]> = Vec::new();
+    for arrow in shown.iter().flat_map(Shown::all).filter(|arrow| !arrow.told.is_empty()) {
+        let (symbol, told) = (arrow.name.clone(), &arrow.told);
+        let told = if arrow.of_pair { text!("assembly-reaction", of = told) } else { told.clone() };
+        match all.iter_mut().find(|own| own[1] == told) {
+            Some([symbols, _]) => *symbols = list([symbols.clone(), symbol]),
+            None => all.push([symbol, told]),
+        }
+    }
+    all
 }
 
 /// Some links taken out of the mechanism in a position, with their loads and the reactions of the bodies that stay.

@@ -7,6 +7,9 @@ use assur_words::{Text, list};
 /// the value at it.
 pub fn on_paper(mut figure: Figure) -> Figure {
     figure.panels.iter_mut().for_each(still);
+    for panel in &mut figure.panels {
+        panel.title = std::mem::take(&mut panel.title).heading();
+    }
     Figure { title: Text::default(), ..figure }
 }
 

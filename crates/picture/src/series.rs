@@ -2,7 +2,7 @@
 
 use assur_analysis::results::{Column, Owner, Schema};
 use assur_book::{Course, Unit, catalogue};
-use assur_words::{Text, joined, list, quantity, unit};
+use assur_words::{Text, exact, joined, list, name, quantity, unit};
 
 use assur_figure::number::number;
 
@@ -56,6 +56,12 @@ impl Series {
     pub fn bare(&self, position: usize) -> String {
         let value = self.at(position);
         if value.abs() <= self.least() { "0".to_owned() } else { number(value) }
+    }
+
+    /// The same for a reader, whose language may have digits of its own.
+    pub fn number_told(&self, position: usize) -> Text {
+        let value = self.at(position);
+        if value.abs() <= self.least() { name("0") } else { exact(value, number(value)) }
     }
 
     /// The greatest size that counts as zero, in the unit that is shown.

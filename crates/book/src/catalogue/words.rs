@@ -77,8 +77,9 @@ pub fn further(column: Column) -> Text {
 /// A column as the head of a table: `D.x'`, `A>rod.Fx`; no two columns have the same.
 pub fn short(schema: &Schema, column: Column) -> Text {
     let own = || schema.name(column.owner).to_string();
-    // As it is typed.
+    // As it is typed; reactions keep the letter by which files and scenes name them.
     let symbol = symbol(column).replace('ω', "w").replace('ε', "e");
+    let symbol = if column.quantity == Quantity::Force { symbol.replace('R', "F") } else { symbol };
     let dotted =
         |of: String, symbol: &str| name(if symbol.is_empty() { of } else { format!("{of}.{symbol}") });
     match (column.quantity, column.owner) {
