@@ -39,9 +39,9 @@ check-link = ланка «{ $link }»
 check-pin = шарнір { $pin }
 check-pin-on-ground = шарнір { $pin } на стояку
 check-slide = поступальна пара { $slide }
-check-point-on = точка { $point } на ланці { $link }
+check-point-on = точка { $point } на ланці «{ $link }»
 check-center-of-mass = центр мас ланки «{ $link }»
-check-load-on = { $load } на ланці { $link }
+check-load-on = { $load } на ланці «{ $link }»
 check-all-loads = усі навантаження
 check-remainder = { $symbol } = { $left }
 check-all-links = усі ланки

@@ -3,11 +3,11 @@
 
 use assur_analysis::results::Owner;
 use assur_book::{Document, Table, Unit, catalogue};
-use assur_diagram::VectorPlan;
-use assur_figure::{Figure, Ink, Panel, Stroke};
-use assur_force::{Construction, ConstructionStep};
+use assur_diagram::PlanVector;
+use assur_figure::{Figure, Ink, Item, Panel, Stroke};
+use assur_force::{Construction, ConstructionStep, VectorKind};
 use assur_picture::forces::{self, beside_friction};
-use assur_picture::{Look, Reaction, Series, ViewPart, curves, plans, plots};
+use assur_picture::{Look, Reaction, Series, ViewPart, curves, mechanism, plans, plots};
 use assur_report::topic;
 use assur_words::{Text, list, measured, name, number, text, unit};
 
@@ -78,38 +78,49 @@ fn loads(context: &Context<'_>) -> Figure {
 
 /// The polygon of each group in the chosen positions beside each other, with a table of its vectors.
 fn polygons(context: &Context<'_>, page: &mut Document) {
-    let found = context.found;
-    let sheets: Vec<_> =
-        context.positions.iter().map(|position| (*position, found.plans.at(*position))).collect();
-    let of = |polygon: usize| {
-        let each = sheets.iter().filter_map(move |(position, plans)| {
-            Some((*position, plans.sheet.as_ref().ok()?.polygons.get(polygon)?))
-        });
-        each.collect::<Vec<_>>()
-    };
-    for (polygon, plans) in
-        (0..).map(|polygon| (polygon, of(polygon))).take_while(|(_, plans)| !plans.is_empty())
-    {
-        let title = || plans[0].1.title.clone();
-        let (places, of) = (text!("note-force-polygon", title = title(), place = context.places()), title());
-        let vectors = vectors(&plans, text!("note-polygon-vectors", title = of));
-        let drawn =
-            |look: &Look<'_>| plans::figure(context.results, &Look { polygon, ..*look }, ViewPart::Forces);
-        let figure = context.beside(drawn);
-        show(page, "note-see-polygon", (figure, POLYGONS), places);
-        page.table(vectors);
+    let (results, found) = (context.results, context.found);
+    let numbered = context.language.with_marks(mechanism::numbers(&results.linkage.mechanism));
+    // Links have their numbers in symbols, as in the formulas.
+    let in_print = |text: &Text| name(text.render(&numbered));
+    for (polygon, links) in plans::bodies(results).iter().enumerate() {
+        let vectors = |position: &usize| {
+            let all = plans::vectors(results, *position, polygon, links).into_iter();
+            all.map(|(symbol, item)| (*position, in_print(&symbol), item)).collect::<Vec<_>>()
+        };
+        let vectors: Vec<Row> = context.positions.iter().flat_map(vectors).collect();
+        let drawn = |look: &Look<'_>| {
+            let mut figure = plans::polygon(results, look.position, polygon, links);
+            for item in figure.panels.iter_mut().flat_map(|panel| &mut panel.items) {
+                if let Item::Name { text, .. } = item {
+                    *text = in_print(text);
+                }
+            }
+            // The table has the sizes of all positions.
+            Figure { legend: Vec::new(), ..figure }
+        };
+        let plan = found.plans.at(context.positions[0]);
+        let plan = plan.sheet.as_ref().ok().and_then(|sheet| sheet.polygons.get(polygon));
+        let Some(title) = plan.map(|plan| &plan.title).filter(|_| !vectors.is_empty()) else { continue };
+        let caption = text!("note-force-polygon", title, place = context.places());
+        show(page, "note-see-polygon", (context.beside(drawn), POLYGONS), caption);
+        page.table(table_of(vectors, text!("note-polygon-vectors", title)));
     }
 }
 
-fn vectors(polygons: &[(usize, &VectorPlan)], caption: Text) -> Table {
-    let labelled = |plan| plans::labelled(ViewPart::Forces, plan).into_iter();
-    let rows = polygons.iter().flat_map(|(position, plan)| labelled(plan).map(move |row| (position, row)));
-    Table::each(caption, rows.filter(|(_, (label, _))| label != ".."))
-        .column(text!("note-position"), |(position, _)| number(position))
-        .column(text!("head-vector"), |(_, (label, _))| name(label.clone()))
-        .column(text!("note-force"), |(_, (_, item))| item.name.clone())
-        .column(text!("head-acts"), |(_, (_, item))| item.note.clone())
-        .measured(text!("note-size"), Unit::FORCE, |(_, (_, item))| item.size)
+/// A vector of a position with its symbol.
+type Row = (usize, Text, PlanVector);
+
+fn table_of(vectors: Vec<Row>, caption: Text) -> Table {
+    let what = |item: &PlanVector| match item.kind {
+        VectorKind::Reaction => text!("note-symbol-reaction"),
+        _ => item.name.clone(),
+    };
+    Table::each(caption, vectors.into_iter().filter(|(.., item)| item.kind != VectorKind::Inner))
+        .column(text!("note-position"), |(position, ..)| number(position))
+        .column(text!("head-vector"), |(_, symbol, _)| symbol.clone())
+        .column(text!("note-force"), |(.., item)| what(item))
+        .column(text!("head-acts"), |(.., item)| item.note.clone())
+        .measured(text!("note-size"), Unit::FORCE, |(.., item)| item.size)
         .table()
 }
 

@@ -31,6 +31,8 @@ const LINE: f64 = 1.45;
 const APART: f64 = 2.2;
 /// What must fit below a heading, mm.
 const KEPT: f64 = 24.0;
+/// Lines of a paragraph that no page divides.
+const UNDIVIDED: usize = 3;
 /// Height of a heading in a chapter, mm.
 const HEADED: f64 = 14.0;
 /// Width of a rule that is to be filled in by hand, mm, and of the lines of tables.
@@ -104,8 +106,12 @@ impl Pages {
     }
 
     fn paragraph(&mut self, words: &str, size: f64) {
-        for line in wrapped(words, WIDTH, size) {
-            self.line(&line, size, 0.0);
+        let lines = wrapped(words, WIDTH, size);
+        if lines.len() <= UNDIVIDED {
+            self.need(LINE * size * lines.len() as f64);
+        }
+        for line in &lines {
+            self.line(line, size, 0.0);
         }
         self.y += APART;
     }

@@ -154,19 +154,10 @@ pub fn polygon(results: &Results, position: usize, polygon: usize, links: &[Link
     let Shown::Plan(plan) = shown(found, &look, ViewPart::Forces, &plans) else { return Figure::default() };
     let acting = arrows::Shown::on_links(results, position, links);
     let acting = acting.as_ref().map_or(&[][..], arrows::Shown::all);
-    let found = |item: &PlanVector| {
-        let vector = [item.end[0] - item.start[0], item.end[1] - item.start[1]];
-        let apart = |own: &&arrows::Arrow| length([own.vector, vector]) <= SAME * item.size;
-        let is_outer = item.kind != VectorKind::Inner;
-        let forces = acting.iter().filter(|own| is_outer && own.kind == arrows::Kind::Force);
-        forces.filter(apart).min_by_key(|own| own.told != item.name)
-    };
-    let symbol = |item| found(item).map_or_else(|| inner_symbol(results, item), |own| own.name.clone());
-    let all = labelled(ViewPart::Forces, plan);
-    let named: Vec<(Text, &PlanVector)> = all.into_iter().map(|(_, item)| (symbol(item), item)).collect();
+    let named = named(results, plan, acting);
     let key = |(symbol, item): &(Text, &PlanVector)| {
         let size = measured(item.size, 5, item.unit.clone());
-        let is_part = found(item).is_some_and(|own| own.told.is_empty());
+        let is_part = same(acting, item).is_some_and(|own| own.told.is_empty());
         let told = if is_part { item.name.clone() } else { Text::default() };
         let ink = ink_of(ViewPart::Forces, item);
         let stroke = if ink == Ink::Trace { Stroke::Dotted } else { Stroke::Solid };
@@ -180,6 +171,50 @@ pub fn polygon(results: &Results, position: usize, polygon: usize, links: &[Link
     }));
     let panel = panel_of(ViewPart::Forces, plan, &named);
     Figure { title: plan.title.clone(), legend: plots::limited(legend), ..Figure::of(panel) }
+}
+
+/// The links of each polygon: those of the groups from the last to the first, then the input links.
+pub fn bodies(results: &Results) -> Vec<Vec<LinkId>> {
+    let (mechanism, structure) = (&results.linkage.mechanism, &results.linkage.structure);
+    let groups = structure.groups.iter().rev().map(|group| group.frame.links.clone());
+    groups.chain(mechanism.input.placed().map(|input| vec![input])).collect()
+}
+
+/// The vectors of the polygon of some links, with the symbols of [`polygon`].
+pub fn vectors(
+    results: &Results,
+    position: usize,
+    polygon: usize,
+    links: &[LinkId],
+) -> Vec<(Text, PlanVector)> {
+    let Some(found) = &results.found else { return Vec::new() };
+    let plans = found.plans.at(position);
+    let look = Look { position, polygon, ..Look::default() };
+    let Shown::Plan(plan) = shown(found, &look, ViewPart::Forces, &plans) else { return Vec::new() };
+    let acting = arrows::Shown::on_links(results, position, links);
+    let acting = acting.as_ref().map_or(&[][..], arrows::Shown::all);
+    named(results, plan, acting).into_iter().map(|(symbol, item)| (symbol, item.clone())).collect()
+}
+
+/// The vectors of a plan of forces with their symbols.
+fn named<'a>(
+    results: &Results,
+    plan: &'a VectorPlan,
+    acting: &[arrows::Arrow],
+) -> Vec<(Text, &'a PlanVector)> {
+    let symbol =
+        |item| same(acting, item).map_or_else(|| inner_symbol(results, item), |own| own.name.clone());
+    let all = labelled(ViewPart::Forces, plan);
+    all.into_iter().map(|(_, item)| (symbol(item), item)).collect()
+}
+
+/// The force on the links that a vector of their polygon is.
+fn same<'a>(acting: &'a [arrows::Arrow], item: &PlanVector) -> Option<&'a arrows::Arrow> {
+    let vector = [item.end[0] - item.start[0], item.end[1] - item.start[1]];
+    let apart = |own: &&arrows::Arrow| length([own.vector, vector]) <= SAME * item.size;
+    let is_outer = item.kind != VectorKind::Inner;
+    let forces = acting.iter().filter(|own| is_outer && own.kind == arrows::Kind::Force);
+    forces.filter(apart).min_by_key(|own| own.told != item.name)
 }
 
 /// The symbol of a reaction within a group; what is none keeps its name.

@@ -2,7 +2,7 @@
 
 use assur_analysis::results::{Column, Owner, Schema};
 use assur_book::{Course, Unit, catalogue};
-use assur_words::{Text, exact, joined, list, name, quantity, unit};
+use assur_words::{Text, exact, joined, list, name, unit};
 
 use assur_figure::number::number;
 
@@ -49,7 +49,8 @@ impl Series {
 
     /// Value and unit at a position.
     pub fn show(&self, position: usize) -> Text {
-        quantity(self.bare(position), self.unit.name)
+        let (number, symbol) = (self.number_told(position), self.unit.name);
+        if symbol.is_empty() { number } else { joined(" ", [number, unit(symbol)]) }
     }
 
     /// Value at a position without its unit; 0 if it is rounding compared with the greatest value.

@@ -115,10 +115,7 @@ impl Source<'_> {
 
     /// Of each position the groups with what acts on them and their polygons, from the last to the first, the input link as the last.
     fn forces(&self) -> Vec<Drawn> {
-        let linkage = &self.results.linkage;
-        let (mechanism, structure) = (&linkage.mechanism, &linkage.structure);
-        let groups = structure.groups.iter().rev().map(|group| group.frame.links.clone());
-        let bodies: Vec<_> = groups.chain(mechanism.input.placed().map(|input| vec![input])).collect();
+        let (mechanism, bodies) = (&self.results.linkage.mechanism, plans::bodies(self.results));
         let named = |links: &[LinkId]| {
             let names = list(links.iter().map(|link| Text::from(&mechanism.links[*link].name)));
             text!("sheet-links", count = links.len(), links = names)
