@@ -2,7 +2,7 @@
 
 use assur_tests::fuzz::{input, known, run};
 
-/// Inputs of this run. `.ci/run` runs more of them, `docs/robustness.md` tells of the long run.
+/// Inputs of this run. `.ci/run` runs more of them, `docs/measured/robustness.md` tells of the long run.
 const INPUTS: u64 = 1_000;
 
 #[test]

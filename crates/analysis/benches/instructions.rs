@@ -4,7 +4,7 @@
 //! length, so that reading and compiling the scene cancel. Without `valgrind` the program prints a message and counts
 //! nothing.
 //!
-//! Figures: `docs/cost.md`.
+//! Figures: `docs/measured/cost.md`.
 
 use std::hint::black_box;
 use std::path::Path;

@@ -61,7 +61,12 @@ fn of_table(tables: &Tables<'_>, at: &Key, known: &KeyTable, offers: Offers<'_>)
         } else if headers(key).all(|header| !header.starts_with('['))
             && (key.is_of(own) || tables.stands(&at.clone().at(key.name)))
         {
-            fields.push(field(key, key.name));
+            let points = key.kinds.contains(&ValueKind::Points);
+            let points = if points { of_points(tables, &at.clone().at(key.name), key) } else { Vec::new() };
+            if points.is_empty() {
+                fields.push(field(key, key.name));
+            }
+            fields.extend(points);
         }
     }
     fields

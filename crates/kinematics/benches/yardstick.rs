@@ -3,7 +3,7 @@
 //!
 //! The first one, the unit y, is the hand-written scalar slider-crank with the sine and cosine of the standard library. The
 //! hand-written lanes are compiled for the same sets of instructions as those of the program. Figures:
-//! `docs/performance.md`.
+//! `docs/measured/performance.md`.
 
 use std::hint::black_box;
 

@@ -16,6 +16,7 @@ mod naming;
 mod number;
 mod pose;
 mod reach;
+mod settled;
 mod shape;
 mod sketch;
 mod start;
@@ -29,6 +30,7 @@ pub use drive::{Drive, drive, drives};
 pub use group::add;
 pub use moved::{move_guide, move_point, turn_guide};
 pub use pose::Pose;
+pub use settled::settled;
 pub use sketch::{Sketch, sketch};
 pub use start::{Start, start};
 

@@ -1,4 +1,4 @@
-group-rpp = two links, an outer pin, a slide between them and an outer slide
+group-rpp = two links, an outer pin, a slide between them and an outer slide; with a crank: stone and ram of a Scotch yoke
     .ways = one
     .singular = the guides parallel
     .angle = angle between the guides

@@ -1,4 +1,4 @@
-group-rpr = two links with outer pins and a slide between them
+group-rpr = two links with outer pins and a slide between them; with a crank: stone and rocker, or cylinder and rod
     .ways = 1: the outer pin of the first link ahead of that of the second, in the direction of the guide; 2: behind it
     .singular = the distance of the outer pins equal to the offset of the guide (zero for a central guide)
     .angle = pressure angle of the line of the pins to the guide

@@ -1,4 +1,4 @@
-group-rrp = two links, two pins and an outer slide
+group-rrp = two links, two pins and an outer slide; with a crank: rod and piston of a slider-crank
     .ways = 1: the inner pin ahead of the foot of the outer pin, in the direction of the guide; 2: behind it
     .singular = the rod perpendicular to the guide
     .angle = pressure angle of the rod to the guide

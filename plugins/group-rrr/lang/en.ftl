@@ -1,4 +1,4 @@
-group-rrr = two links, three pins
+group-rrr = two links, three pins; with a crank: coupler and rocker of a four-bar
     .ways = 1: the inner pin left of the line from the outer pin of the first link to that of the second; 2: right
     .singular = the links in one line, stretched or folded: sin(phi2 - phi1) = 0
     .angle = transmission angle between the links

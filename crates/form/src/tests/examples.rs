@@ -61,6 +61,8 @@ fn values(field: &Field, example: &str) -> Vec<String> {
         _ => values.push(example.to_owned()),
     }
     values.extend(field.choices.first().map(list));
+    // Of a point, whose example is a table of them.
+    values.push("0".to_owned());
     values
 }
 
@@ -78,7 +80,10 @@ fn every_key_has_a_field_that_takes_a_value() {
             let known = TABLES.iter().find(|table| table.header == header).unwrap();
             for field in &form.fields {
                 let chosen = || known.keys.iter().find(|key| key.name == "POINT");
-                let of = known.keys.iter().find(|key| key.name == field.label).or_else(chosen).unwrap();
+                // Each point of a link has a field of its own.
+                let around = || known.keys.iter().find(|key| field.key.steps().contains(&key.name.into()));
+                let own = known.keys.iter().find(|key| key.name == field.label);
+                let of = own.or_else(around).or_else(chosen).unwrap();
                 let name = format!("{header} {}", of.name);
                 seen.insert(name.clone());
                 assert!(!field.about.is_empty() && !field.values.is_empty(), "{name}");

@@ -1,4 +1,4 @@
-//! Writes `docs/accuracy.md` and `docs/accuracy.svg`: speed versus accuracy of every method on every shipped scene.
+//! Writes `docs/measured/accuracy.md` and `docs/measured/accuracy.svg`: speed versus accuracy of every method on every shipped scene.
 
 mod chapter;
 mod summary;
@@ -29,7 +29,7 @@ fn charted(text: &str, name: &str) -> Result<ChartData, String> {
 }
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let docs = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs");
+    let docs = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/measured");
     let mut scenes = assur_fixtures::SCENES.to_vec();
     scenes.sort_unstable();
     let (mut charts, mut chapters) = (Vec::new(), String::new());

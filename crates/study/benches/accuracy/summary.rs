@@ -32,7 +32,7 @@ place in memory) are the same: such methods share the front. The tables here hav
 ## Which method when
 
 The fastest method whose error is at most the one at the head of the column. What follows for the choice of a method is said in
-[methods.md](methods.md).
+[methods.md](../methods.md).
 ";
 
 /// All chapters under one head.

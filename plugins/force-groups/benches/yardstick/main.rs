@@ -1,7 +1,7 @@
 //! What loads and reactions cost beside formulas that are written by hand for one mechanism with constant lengths:
 //! `cargo bench -p assur-force-groups`.
 //!
-//! The formulas by hand find the same numbers: the bench compares them first. Figures: `docs/performance.md`.
+//! The formulas by hand find the same numbers: the bench compares them first. Figures: `docs/measured/performance.md`.
 
 #![allow(missing_docs, reason = "a program")]
 

@@ -4,8 +4,9 @@ use assur_form::{Field, added, deleted, inserted, made, put, rows, sections};
 use assur_mechanism::Key as SceneKey;
 use assur_words::{list, name, text};
 
+use super::fields::name_of;
 use super::form::{changed, leave, open, open_within};
-use crate::screen::state::{Choice, FormSource, FormTask, Picker, PickerKind, Role, State, round};
+use crate::screen::state::{Choice, FormSource, FormTask, Picker, PickerKind, Role, RowKind, State, round};
 
 /// Before the number of a table that may stand in a field, in the name of a choice.
 const OPENING: &str = "table:";
@@ -134,17 +135,35 @@ pub(super) fn tables(state: &mut State) {
     state.picker = Some(picker);
 }
 
+/// Adds a table, with what is chosen in the picture in the first field that may be it.
+fn add(state: &mut State, header: &str) {
+    let change = added(state.draft.text(), header);
+    let at = change.at.clone();
+    if !changed(state, change) {
+        return;
+    }
+    open(state, FormSource::Table(at));
+    let chosen = state.build.chosen.as_ref().map(name_of);
+    let is_chosen = |choice: &assur_form::Choice| Some(assur_scene::edit::bare(&choice.toml)) == chosen;
+    let rows = state.build.form().map_or(&[][..], |form| &form.rows);
+    let field = rows.iter().find_map(|row| match &row.kind {
+        RowKind::Value(field) => {
+            Some((field.clone(), field.choices.iter().find(|choice| is_chosen(choice))?.clone()))
+        }
+        RowKind::Name(_) => None,
+    });
+    if let Some((field, choice)) = field {
+        take(state, &field, &choice.toml);
+    }
+}
+
 /// Opens the table that was chosen, or adds it.
 pub(super) fn of_table(state: &mut State, taken: &str) {
     if taken == MASSES {
         return open(state, FormSource::Masses);
     }
     let at = match taken.strip_prefix(ADD) {
-        Some(header) => {
-            let change = added(state.draft.text(), header);
-            let at = change.at.clone();
-            changed(state, change).then_some(at)
-        }
+        Some(header) => return add(state, header),
         None if taken.is_empty() => Some(SceneKey::from(&[][..])),
         None => SceneKey::parse(taken).ok(),
     };

@@ -241,7 +241,23 @@ pub(super) fn close(state: &mut State) {
             (form.source, form.chosen) = (source, chosen);
             fields::renew(state);
         }
-        None => state.build.task = Task::Choose,
+        None => {
+            let made = matches!(form.source, FormSource::Made(..));
+            state.build.task = Task::Choose;
+            if made {
+                settle(state);
+            }
+        }
+    }
+}
+
+/// The lengths that were typed have moved points of the new group: `[assembly]` follows, as a part of the last step.
+fn settle(state: &mut State) {
+    super::reading::refresh(state);
+    let Some(sketch) = state.build.sketch() else { return };
+    let settled = assur_sketch::settled(state.draft.text(), sketch);
+    if settled.is_ok_and(|text| state.draft.amend(&text)) {
+        draft::ask(state);
     }
 }
 

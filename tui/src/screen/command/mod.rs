@@ -27,7 +27,7 @@ pub(crate) use jobs::take;
 pub(crate) use table::COMMANDS;
 pub(crate) use tour::begin as tour;
 
-use assur_words::{number, text};
+use assur_words::{name, number, text};
 use crossterm::event::{KeyCode, KeyEvent, MouseButton, MouseEvent, MouseEventKind};
 
 #[cfg(test)]
@@ -114,6 +114,10 @@ fn pass(state: &mut State, event: KeyEvent) {
             state.open_prompt(PromptKind::Command, typed.unwrap_or_default());
         }
         None if state.picker.is_some() => picker::press(state, key),
+        None if state.view == View::Build && state.fault.is_none() => {
+            let help = name(state.keys.first("help"));
+            state.say(Role::Plain, text!("say-no-key-here", key = name(key.name()), help));
+        }
         None => state.fault = None,
     }
 }

@@ -171,9 +171,11 @@ impl Draft {
         }
     }
 
-    /// The value that was changed last, of those that are changed.
+    /// The value that was changed last, of those that the file has and that are changed.
     pub(crate) fn last(&self) -> Option<usize> {
-        let mut changed = (0..self.values.len()).filter(|index| self.is_value_changed(*index));
+        let is_of_file = |index: &usize| self.own.contains_key(&self.values[*index].key);
+        let mut changed =
+            (0..self.values.len()).filter(is_of_file).filter(|index| self.is_value_changed(*index));
         let first = changed.clone().next();
         changed.find(|index| Some(&self.values[*index].key) == self.last.as_ref()).or(first)
     }

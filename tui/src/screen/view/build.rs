@@ -203,6 +203,12 @@ fn told(state: &State, width: usize, room: usize) -> Vec<(Role, String)> {
     match &state.build.task {
         Task::Join(task) => {
             tell(Role::Header, joined(" ", [task.addition.title.clone(), task.addition.about.clone()]));
+            if !task.targets.is_empty() {
+                tell(
+                    Role::Plain,
+                    text!("build-joined", targets = list(task.targets.iter().map(words_of_target))),
+                );
+            }
             let [at, count] = [task.targets.len() + 1, task.addition.outer().len()].map(number);
             let is_slide = task.pair() == Some(assur_group::PairSort::Slide);
             let what = text!(if is_slide { "build-join-slide" } else { "build-join-pin" }, at, count);
@@ -253,12 +259,36 @@ fn measures(state: &State, width: usize, mut room: usize) -> Vec<(Role, String)>
     told.take_while(fits).flatten().map(|line| (Role::Plain, line)).collect()
 }
 
+/// The moving links on which a point is.
+fn links_of(sketch: &Sketch, part: &Part) -> Vec<Text> {
+    let Part::Point(point) = part else { return Vec::new() };
+    let mechanism = &sketch.mechanism;
+    let places = mechanism.point(point).map_or(&[][..], |point| &mechanism.points[point].places);
+    let links = places.iter().filter(|place| place.link != GROUND);
+    links.map(|place| Text::from(&mechanism.links[place.link].name)).collect()
+}
+
+/// What a pair is joined to: a point, or a place (mm) on a link.
+fn words_of_target(target: &Target) -> Text {
+    match target {
+        Target::Point(point) | Target::Guide { point: Some(point), .. } => name(point.clone()),
+        Target::New { link, at } | Target::Guide { link, through: at, .. } => {
+            let [x, y] = at.map(|value| number(digits(1e3 * value, 6)));
+            text!("build-joined-at", link = name(link.clone()), x, y)
+        }
+    }
+}
+
 /// Where the chosen thing is, and what its group is.
 fn of_part(state: &State, part: &Part, tell: &mut impl FnMut(Role, Text)) {
     let Some(sketch) = state.build.sketch() else { return };
     let mm = |value: f64| number(digits(1e3 * value, 6));
     if let Some([x, y]) = place(sketch, part).filter(|_| matches!(part, Part::Point(_))) {
         tell(Role::Plain, text!("build-at", x = mm(x), y = mm(y)));
+        let links = links_of(sketch, part);
+        if links.len() > 1 {
+            tell(Role::Plain, text!("build-shared", links = list(links)));
+        }
     }
     let (Part::Link(link), Some(scene)) = (part, &state.scene) else { return };
     let structure = &scene.linkage.structure;

@@ -57,18 +57,25 @@ fn title(state: &State, scene: &Scene) -> Text {
     }
 }
 
-/// `* link.crank.points.A 100 mm -> 101 mm`: the last change, the number of other changes, and whether they are valid.
+/// `* link.crank.points.A 100 mm -> 101 mm`: the last change of a value, the number of other changes, and whether they are valid; where
+/// values were only added, the title in place of the value.
 fn changed(state: &State, room: usize) -> Option<String> {
     let what = &state.draft;
-    let last = what.last()?;
-    let more = match what.changes() - 1 {
-        0 => String::new(),
-        others => " ".to_owned() + &state.told(text!("header-more-changes", others = number(others))),
-    };
+    if !what.is_changed() {
+        return None;
+    }
     let refused = if what.reading == Reading::Refused {
         " ".to_owned() + &state.told(text!("header-not-taken"))
     } else {
         String::new()
+    };
+    let Some(last) = what.last() else {
+        let title = state.scene.as_ref().map(|scene| state.told(title(state, scene)));
+        return Some(format!("* {}{refused}", title.unwrap_or_default()));
+    };
+    let more = match what.changes() - 1 {
+        0 => String::new(),
+        others => " ".to_owned() + &state.told(text!("header-more-changes", others = number(others))),
     };
     // A table of values, such as a motor's, has no room beside its key.
     let shown = Some(format!(" {}", brief(&what.shown_value(last))))

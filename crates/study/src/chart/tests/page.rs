@@ -13,7 +13,7 @@ fn quoted(text: &str) -> impl Iterator<Item = String> {
 /// A new fixture or plugin needs its rows: the page is written again then.
 #[test]
 fn the_page_names_the_shipped_scenes_and_every_method_and_no_others() {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/accuracy.md");
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/measured/accuracy.md");
     let page = std::fs::read_to_string(path).unwrap();
     let files: BTreeSet<String> =
         page.lines().filter(|line| line.starts_with("## ")).flat_map(quoted).collect();
@@ -42,7 +42,7 @@ fn the_page_names_the_shipped_scenes_and_every_method_and_no_others() {
 /// No number of an axis is cut off: the least is written as a power of ten.
 #[test]
 fn the_charts_of_the_page_have_powers_of_ten() {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/accuracy.md");
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/measured/accuracy.md");
     let page = std::fs::read_to_string(path).unwrap();
     let numbers = page.lines().filter_map(|line| Some(line.split_once('│')?.0.trim()));
     let numbers: Vec<&str> = numbers.filter(|number| !number.is_empty()).collect();

@@ -1,7 +1,7 @@
 //! Tests of the study of a scene, and of the methods themselves on mechanisms and motions that are close to failure.
 //!
 //! Each row of the bench is one method at one distance from failure, with the error that it may have there.
-//! `docs/stability.md` is written from these rows (see [`page`]).
+//! `docs/measured/stability.md` is written from these rows (see [`page`]).
 
 mod bench;
 mod differences;

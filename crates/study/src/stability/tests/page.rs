@@ -1,4 +1,4 @@
-//! Writes `docs/stability.md` from the rows of the bench.
+//! Writes `docs/measured/stability.md` from the rows of the bench.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
@@ -28,7 +28,7 @@ column, of the worst number (a shipped scene has all of its walks and numbers in
 the method loses no more than the data themselves lose by their rounding.
 ";
 
-const PAGE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/stability.md");
+const PAGE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/measured/stability.md");
 
 /// Most columns of distances in a table.
 const MOST_COLUMNS: usize = 8;
@@ -177,7 +177,7 @@ fn page(sections: &[Section], without: &[String]) -> String {
 }
 
 #[test]
-#[ignore = "writes docs/stability.md"]
+#[ignore = "writes docs/measured/stability.md"]
 fn write_docs_stability() {
     let mut all = vec![groups()];
     all.extend(sections(MOST_TURNS));

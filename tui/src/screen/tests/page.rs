@@ -1,28 +1,28 @@
-//! The frames in the README are those of the program; `INSTA_UPDATE=always` writes them anew.
+//! The frames of docs/screen.md are those of the program; `INSTA_UPDATE=always` writes them anew.
 
 use super::{opened, press, text};
 
 #[test]
-fn the_readme_shows_the_frames_of_the_program() {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../README.md");
-    let mut readme = std::fs::read_to_string(path).unwrap();
+fn the_page_shows_the_frames_of_the_program() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/screen.md");
+    let mut page = std::fs::read_to_string(path).unwrap();
     let update = std::env::var("INSTA_UPDATE").is_ok_and(|update| update == "always");
     let mut state = opened("shaper");
     state.position = 18;
     for view in ["1", "2", "3"] {
         press(&mut state, view);
         let frame = text(&state, 80, 24);
-        let shown = readme.split("```\n").filter(|block| block.starts_with(" position ")).map(str::to_owned);
+        let shown = page.split("```\n").filter(|block| block.starts_with(" position ")).map(str::to_owned);
         let shown: Vec<String> = shown.collect();
         assert_eq!(shown.len(), 3);
         let own = &shown[view.parse::<usize>().unwrap() - 1];
         if update {
-            readme = readme.replace(own, &frame);
+            page = page.replace(own, &frame);
         } else {
             assert_eq!(*own, frame, "view {view}");
         }
     }
     if update {
-        std::fs::write(path, readme).unwrap();
+        std::fs::write(path, page).unwrap();
     }
 }
