@@ -240,13 +240,30 @@ pub(crate) fn plain(title: &Text, language: &Language) -> String {
     title.render(language).replace('`', "")
 }
 
+/// Lines of the heading of a panel.
 const HEADING: usize = 2;
+
+/// The least width of a panel in which its heading, and beside it the factor of the axis of curves, are not cut off, mm.
+pub fn heading_width(panel: &Panel, style: Style, language: &Language) -> f64 {
+    let print = &Print { style, language };
+    let title = plain(&panel.heading(), language);
+    let halves = title.match_indices(' ').map(|(at, _)| title.split_at(at));
+    let widest = halves.map(|(first, rest)| print.width(first).max(print.width(rest)));
+    let lines = widest.fold(print.width(&title), f64::min);
+    let factor = match &panel.frame {
+        Frame::Axes { y, .. } if style.axes_to_scale => axes::factor_room(y, print),
+        _ => 0.0,
+    };
+    lines + factor + 2.0 * (style.em + BORDER)
+}
 
 fn heading(panel: &Panel, room: Room, print: &Print<'_>) -> Vec<Element> {
     let (title, em) = (plain(&panel.heading(), print.language), print.style.em);
-    let mut lines = print.wrapped(&title, room.width);
+    // The heading beside it is not to seem to go on with it.
+    let width = room.width - em;
+    let mut lines = print.wrapped(&title, width);
     if lines.len() > HEADING {
-        lines = vec![names::fitted(&title, room.width, em)];
+        lines = vec![names::fitted(&title, width, em)];
     }
     let place = |row: usize| [room.left, room.top + em + row as f64 * print.style.row()];
     let written = |(row, line): (usize, &String)| print.text(place(row), line, Ink::Title, Anchor::Start);

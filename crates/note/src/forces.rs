@@ -129,10 +129,16 @@ fn over_cycle(context: &Context<'_>, page: &mut Document) {
     let (results, found) = (context.results, context.found);
     let pairs = found.reactions.iter().enumerate().filter(|(_, reaction)| reaction.series.len() == 3);
     let size = |(index, reaction): (usize, &Reaction)| (index, found.series[reaction.series[2]].size());
+    // What is rounding shows nothing.
+    let is_seen = |index: usize| found.series[index].size() > found.series[index].least();
+    let pairs = pairs.filter(|(_, reaction)| is_seen(reaction.series[2]));
     let most = pairs.clone().map(size).max_by(|one, other| one.1.total_cmp(&other.1)).map(|(index, _)| index);
     let moduli = pairs.filter_map(|(_, reaction)| reaction.series.last());
     let moduli: Vec<String> = moduli.map(|index| found.series[*index].short.clone()).collect();
-    let balancing = found.reactions.iter().position(|reaction| reaction.of.is_none());
+    let is_balancing = |reaction: &Reaction| {
+        reaction.of.is_none() && reaction.series.first().is_some_and(|index| is_seen(*index))
+    };
+    let balancing = found.reactions.iter().position(is_balancing);
     let of = most.map(|index| found.reactions[index].name.clone()).unwrap_or_default();
     let balance = balancing.and_then(|index| found.reactions[index].series.first());
     let symbol = balance.map(|index| unit(found.series[*index].unit.name));

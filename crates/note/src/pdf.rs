@@ -30,7 +30,9 @@ const TITLE: f64 = 6.2;
 const LINE: f64 = 1.45;
 const APART: f64 = 2.2;
 /// What must fit below a heading, mm.
-const KEPT: f64 = 24.0;
+const KEPT: f64 = 36.0;
+/// How full a page is that may end before a heading, as part of its height.
+const FULL: f64 = 0.7;
 /// Lines of a paragraph that no page divides.
 const UNDIVIDED: usize = 3;
 /// Height of a heading in a chapter, mm.
@@ -83,6 +85,10 @@ impl Pages {
         if self.done.is_empty() || self.y + high > LAST {
             self.begin();
         }
+        // Pictures that waited may have taken the place.
+        while self.y > TOP && self.y + high > LAST {
+            self.begin();
+        }
     }
 
     /// A picture here, or on the next page; pictures keep their order.
@@ -118,6 +124,10 @@ impl Pages {
 
     /// A heading with what must stand below it, and so much more.
     fn heading(&mut self, words: &str, size: f64, more: f64) {
+        // Pictures that wait belong to what is above, where this doesn't leave a page half empty.
+        if !self.waiting.is_empty() && self.y > TOP + FULL * (LAST - TOP) {
+            self.begin();
+        }
         self.need(KEPT + more);
         self.y += APART;
         self.paragraph(words, size);

@@ -99,10 +99,11 @@ impl NoteSheet<'_> {
     }
 }
 
-/// The symbol of a component, `vx`, with its axis as a subscript.
+/// The symbol of a component, `vx`, or of what friction does, `Mf`, with its second letter as a subscript.
 fn with_subscript(head: String) -> String {
     match *head.as_bytes() {
-        [letter, axis @ (b'x' | b'y')] if b"vaFR".contains(&letter) => {
+        [letter @ (b'v' | b'a' | b'F' | b'R'), axis @ (b'x' | b'y')]
+        | [letter @ (b'F' | b'M' | b'P'), axis @ b'f'] => {
             format!("{}_{{{}}}", char::from(letter), char::from(axis))
         }
         _ => head,

@@ -7,17 +7,16 @@ use assur_words::{Text, list};
 /// the value at it.
 pub fn on_paper(mut figure: Figure) -> Figure {
     figure.panels.iter_mut().for_each(still);
-    for panel in &mut figure.panels {
-        panel.title = std::mem::take(&mut panel.title).heading();
-    }
     Figure { title: Text::default(), ..figure }
 }
 
-/// Takes the cursor from a plot, and the value at it; the unit stays in its heading.
+/// Takes the cursor from a plot, and the value at it; the unit stays in its heading, which begins with a capital.
 pub fn still(panel: &mut Panel) {
-    let Frame::Axes { cursor, y, .. } = &mut panel.frame else { return };
-    *cursor = None;
-    if !y.label.is_empty() {
-        panel.title = list([panel.title.clone(), y.label.clone()]);
+    if let Frame::Axes { cursor, y, .. } = &mut panel.frame {
+        *cursor = None;
+        if !y.label.is_empty() {
+            panel.title = list([panel.title.clone(), y.label.clone()]);
+        }
     }
+    panel.title = std::mem::take(&mut panel.title).heading();
 }

@@ -1,7 +1,8 @@
 //! What a field draws: a figure of pictures, or a table.
 
 use assur_figure::{
-    Anchor, Element, Figure, Frame, Ink, Page, Panel, Style, elements, plane_scale, size, text_width,
+    Anchor, Element, Figure, Frame, Ink, Page, Panel, Style, elements, heading_width, plane_scale, size,
+    text_width,
 };
 use assur_pdf::text_width as exact_width;
 use assur_scene::SheetField;
@@ -16,8 +17,6 @@ const UPRIGHT: f64 = 1.4;
 /// Height of a plot of several below each other beside its width, from flat to high, and least height, mm.
 const FLAT: [f64; 3] = [0.22, 0.34, 0.5];
 const LEAST_PLOT: f64 = 38.0;
-/// Room beside the heading of a plot, in which its factor stands, mm.
-const FACTOR: f64 = 48.0;
 /// Height of a row of a table, and space beside its texts, mm.
 const ROW: f64 = 8.0;
 const BESIDE: f64 = 1.5;
@@ -63,11 +62,7 @@ impl Drawn {
             Content::Figure(figure) => figure,
         };
         let mut sizes: Vec<Size> = Vec::new();
-        // A heading has two lines.
-        let heading = |panel: &Panel| {
-            let factor = if matches!(panel.frame, Frame::Axes { .. }) { FACTOR } else { 0.0 };
-            0.6 * text_width(&panel.title.render(language), Style::SHEET.em) + factor
-        };
+        let heading = |panel: &Panel| heading_width(panel, Style::SHEET, language);
         let headings = figure.panels.iter().map(heading).fold(LEAST, f64::max);
         let mut width = self.least.max(headings);
         while width <= MOST {

@@ -6,7 +6,7 @@ mod common;
 
 use assur_figure::Form as Outline;
 use assur_sheet::{Form, Page};
-use common::{SCENES, results_and_pages};
+use common::{SCENES, results_and_pages, texts};
 
 fn pages<const N: usize>(scene: &str, languages: [&str; N]) -> [Vec<Page>; N] {
     results_and_pages(scene, languages).1
@@ -53,6 +53,16 @@ fn texts_are_large_enough_and_lines_have_three_widths() {
                 Outline::Text { size, .. } => assert!(size >= 3.5, "{scene}: {element:?}"),
                 _ => assert!([0.2, 0.4, 0.8].contains(&element.width), "{scene}: {element:?}"),
             }
+        }
+    }
+}
+
+#[test]
+fn no_text_is_cut_off() {
+    for scene in SCENES {
+        for part in pages(scene, ["en", "uk", "ru"]).iter().flatten().flat_map(|page| &page.parts) {
+            let cut: Vec<_> = texts(part).into_iter().filter(|text| text.ends_with('…')).collect();
+            assert!(cut.is_empty(), "{scene} {:?}: {cut:?}", part.field);
         }
     }
 }

@@ -200,11 +200,12 @@ impl Language {
     }
 }
 
-/// A text with a capital at its beginning, where that is a word.
+/// A text with a capital at its beginning, where that is a word: a symbol is one letter, Latin or Greek.
 fn capital(text: &str) -> String {
     let mut letters = text.chars();
+    let is_cyrillic = |letter: char| ('а'..='ӿ').contains(&letter);
     match (letters.next(), letters.clone().next()) {
-        (Some(first), Some(next)) if first.is_lowercase() && next.is_alphabetic() => {
+        (Some(first), Some(next)) if first.is_lowercase() && (next.is_alphabetic() || is_cyrillic(first)) => {
             first.to_uppercase().chain(letters).collect()
         }
         _ => text.to_owned(),

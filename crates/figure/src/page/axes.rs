@@ -135,8 +135,8 @@ fn factor_told(axis: &Axis, factor: Option<f64>, print: &Print<'_>) -> Option<St
 }
 
 /// The room of a factor of an axis, mm, with the space before it: of a long one; none where it has none.
-fn factor_room(axis: &Axis, print: &Print<'_>) -> f64 {
-    const LONG: f64 = 2.5e-4;
+pub(super) fn factor_room(axis: &Axis, print: &Print<'_>) -> f64 {
+    const LONG: f64 = 2.5e-2;
     let told = axis.scale.as_ref().and_then(|scale| scale.factor(LONG / scale.size));
     told.map_or(0.0, |told| print.width(&told.render(print.language)) + BESIDE * print.style.em)
 }
