@@ -115,7 +115,7 @@ impl<'a> Acting<'a> {
         let drives = mechanism.input.placed().any(|link| self.concerns(link));
         if let Some([drive, _]) = found.drive_in(self.state).filter(|_| all_wanted && drives) {
             let told = catalogue::kind(Column::of(Quantity::ReducedLoad, Owner::Input));
-            self.on_input(None, drive, text!("index-of-drive"), &told);
+            self.on_input(None, drive, &text!("index-of-drive"), &told);
         }
     }
 
@@ -157,19 +157,19 @@ impl<'a> Acting<'a> {
                 self.on_input(
                     UnitBalance::of(mechanism),
                     found.balancing,
-                    text!("index-of-balancing"),
+                    &text!("index-of-balancing"),
                     &told,
                 );
             }
             for ((index, driver), size) in mechanism.input.drivers.iter().enumerate().zip(&found.drives) {
                 let index = joined("", [text!("index-of-balancing"), name((index + 1).to_string())]);
-                self.by_driver(driver, *size, index, &told);
+                self.by_driver(driver, *size, &index, &told);
             }
         }
     }
 
     /// The load of a drive on its link; of a slide between two moving links on both.
-    fn by_driver(&mut self, driver: &Driver, size: f64, index: Text, told: &Text) {
+    fn by_driver(&mut self, driver: &Driver, size: f64, index: &Text, told: &Text) {
         let (mechanism, bodies) = (&self.results.linkage.mechanism, &self.pose.bodies);
         let along = drive_direction(mechanism, driver, bodies).map_or([0.0, 0.0, 1.0], |[x, y]| [x, y, 0.0]);
         let [x, y, moment] = along;
@@ -183,7 +183,7 @@ impl<'a> Acting<'a> {
     }
 
     /// What acts on the input along its coordinate, or where the scene has its balancing load.
-    fn on_input(&mut self, unit: Option<UnitBalance>, size: f64, index: Text, told: &Text) {
+    fn on_input(&mut self, unit: Option<UnitBalance>, size: f64, index: &Text, told: &Text) {
         let results = self.results;
         let (mechanism, bodies) = (&results.linkage.mechanism, &self.pose.bodies);
         let (at, [x, y, moment]) = match (unit.map(|unit| unit.wrench(bodies)), mechanism.balance) {
@@ -219,7 +219,7 @@ impl<'a> Acting<'a> {
 }
 
 /// The symbols of a force and of a moment with an index.
-fn with_index(index: Text) -> [Text; 2] {
+fn with_index(index: &Text) -> [Text; 2] {
     ["F_{", "M_{"].map(|letter| joined("", [name(letter), index.clone(), name("}")]))
 }
 
