@@ -28,7 +28,7 @@ pub(crate) struct Source<'a> {
 const MECHANISM: (f64, f64) = (140.0, 4.0);
 const PLOTS: (f64, f64) = (100.0, 2.5);
 const PLAN: (f64, f64) = (75.0, 1.0);
-const LEVER: (f64, f64) = (90.0, 1.5);
+const LEVER: (f64, f64) = (100.0, 2.0);
 const STRUCTURE: (f64, f64) = (110.0, 2.0);
 
 impl Source<'_> {
