@@ -102,8 +102,8 @@ analysis-arc-rolls = Дуга «{ $contact }» катится без сколь�
 analysis-friction-pushes = Трение «{ $contact }» действует в сторону скольжения: { $positions }; его знак задан. С `friction = { "{" } against_sliding = { $friction } { "}" }` знак определяется.
 analysis-jammed = { $error }; решение существует, пока все коэффициенты трения не превышают заданных, умноженных на { $factor }
 analysis-jammed-coefficient = { $error }; решение существует, пока коэффициент трения не превышает заданного, умноженного на { $factor }, то есть { $coefficient }
-analysis-friction-rests = трение в паре { $pair }: звено { $link } не движется относительно звена { $on }, поэтому трения там нет
-analysis-friction-turns = трение в паре { $pair }: скорость звена { $link } относительно звена { $on } равна нулю ({ $positions }); взято трение сразу после этого
+analysis-friction-rests = трение в паре { $pair }: звено «{ $link }» не движется относительно звена «{ $on }», поэтому трения там нет
+analysis-friction-turns = трение в паре { $pair }: скорость звена «{ $link }» относительно звена «{ $on }» равна нулю ({ $positions }); взято трение сразу после этого
 analysis-friction-several = трение: существует несколько решений ({ $positions }); взято то, к которому приводит рост коэффициентов от нуля, а если такого нет — то, у которого наименьшая уравновешивающая нагрузка; JSON содержит все
 analysis-friction-continuum = трение: существует континуум решений ({ $positions }); приведены его концы
 analysis-friction-not-proved = трение: не доказано, что других решений нет ({ $positions })

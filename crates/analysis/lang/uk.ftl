@@ -101,8 +101,8 @@ analysis-arc-rolls = Дуга «{ $contact }» котиться без ковз�
 analysis-friction-pushes = Тертя «{ $contact }» діє в бік ковзання: { $positions }; його знак задано. З `friction = { "{" } against_sliding = { $friction } { "}" }` знак визначається.
 analysis-jammed = { $error }; розв’язок існує, доки всі коефіцієнти тертя не перевищують заданих, помножених на { $factor }
 analysis-jammed-coefficient = { $error }; розв’язок існує, доки коефіцієнт тертя не перевищує заданого, помноженого на { $factor }, тобто { $coefficient }
-analysis-friction-rests = тертя в парі { $pair }: ланка { $link } не рухається відносно ланки { $on }, тому тертя там немає
-analysis-friction-turns = тертя в парі { $pair }: швидкість ланки { $link } відносно ланки { $on } дорівнює нулю ({ $positions }); узято тертя одразу після цього
+analysis-friction-rests = тертя в парі { $pair }: ланка «{ $link }» не рухається відносно ланки «{ $on }», тому тертя там немає
+analysis-friction-turns = тертя в парі { $pair }: швидкість ланки «{ $link }» відносно ланки «{ $on }» дорівнює нулю ({ $positions }); узято тертя одразу після цього
 analysis-friction-several = тертя: існує кілька розв’язків ({ $positions }); узято той, до якого приводить зростання коефіцієнтів від нуля, а якщо такого немає — той, що має найменше зрівноважувальне навантаження; JSON містить усі
 analysis-friction-continuum = тертя: існує континуум розв’язків ({ $positions }); наведено його кінці
 analysis-friction-not-proved = тертя: не доведено, що інших розв’язків немає ({ $positions })

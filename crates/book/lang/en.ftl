@@ -34,6 +34,7 @@ quantity-inertia-force = inertia force
 quantity-inertia-moment = inertia moment
 quantity-shaking-force = shaking force
 quantity-shaking-moment = shaking moment
+quantity-reaction = reaction
 quantity-force = force
 quantity-moment = moment
 quantity-offset = offset of the force

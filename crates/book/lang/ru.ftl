@@ -34,6 +34,7 @@ quantity-inertia-force = сила инерции
 quantity-inertia-moment = момент сил инерции
 quantity-shaking-force = неуравновешенная сила
 quantity-shaking-moment = неуравновешенный момент
+quantity-reaction = реакция
 quantity-force = сила
 quantity-moment = момент
 quantity-offset = смещение силы

@@ -34,6 +34,7 @@ quantity-inertia-force = сила інерції
 quantity-inertia-moment = момент сил інерції
 quantity-shaking-force = незрівноважена сила
 quantity-shaking-moment = незрівноважений момент
+quantity-reaction = реакція
 quantity-force = сила
 quantity-moment = момент
 quantity-offset = зміщення сили

@@ -24,7 +24,9 @@ mod trace;
 pub use axis::{Axis, AxisKind, extent};
 pub use bounds::{Bounds, Zoom};
 pub use model::{Cursor, Figure, Frame, Ink, Item, Key, Panel, Point, Sample, Sign, Stroke};
-pub use page::{Anchor, Element, Form, Page, Style, color, elements, size, text_width};
+pub use page::{
+    Anchor, Element, Form, Page, Style, color, elements, heading_width, plane_scale, size, text_width,
+};
 pub use scale::{Scale, one_scale};
 
 assur_words::resources!();

@@ -36,17 +36,33 @@ pub struct Style {
     pub fine: f64,
     /// Whether the axes of curves have round scales, which are told.
     pub axes_to_scale: bool,
+    /// Length of the sample of a stroke in a legend, in text sizes.
+    pub sample: f64,
     /// Least width of a page that shrinks to its drawing, and least height of a row of planes, mm.
     pub least: [f64; 2],
 }
 
 impl Style {
     /// Of figures in a text.
-    pub const NOTE: Self =
-        Self { em: EM, thick: 0.7, line: 0.35, fine: 0.18, axes_to_scale: false, least: [100.0, 80.0] };
+    pub const NOTE: Self = Self {
+        em: EM,
+        thick: 0.7,
+        line: 0.35,
+        fine: 0.18,
+        axes_to_scale: false,
+        sample: 2.5,
+        least: [100.0, 80.0],
+    };
     /// Of a drawing sheet: lines of ISO 128, and a text whose capitals and subscripts are 3.5 mm high.
-    pub const SHEET: Self =
-        Self { em: 5.0, thick: 0.8, line: 0.4, fine: 0.2, axes_to_scale: true, least: [30.0, 30.0] };
+    pub const SHEET: Self = Self {
+        em: 5.0,
+        thick: 0.8,
+        line: 0.4,
+        fine: 0.2,
+        axes_to_scale: true,
+        sample: 1.2,
+        least: [30.0, 50.0],
+    };
 
     /// Height of a line of text, mm.
     pub(crate) fn row(&self) -> f64 {
@@ -151,6 +167,13 @@ pub fn size(figure: &Figure, page: Page, style: Style, language: &Language) -> [
     [width.max(legend::width(&legend, print) + 2.0 * BORDER), height]
 }
 
+/// How many units of the plane of its first panel a millimeter of a page stands for; `None` of curves.
+pub fn plane_scale(figure: &Figure, page: Page, style: Style, language: &Language) -> Option<f64> {
+    let print = &Print { style, language };
+    let rooms = Arranged::of(figure, page, print).rooms;
+    plane::scale_in(figure.panels.first()?, *rooms.first()?, print)
+}
+
 /// The elements of a figure on a page, and the width and height of the page, mm.
 pub fn elements(figure: &Figure, page: Page, style: Style, language: &Language) -> (Vec<Element>, [f64; 2]) {
     let print = &Print { style, language };
@@ -217,13 +240,30 @@ pub(crate) fn plain(title: &Text, language: &Language) -> String {
     title.render(language).replace('`', "")
 }
 
+/// Lines of the heading of a panel.
 const HEADING: usize = 2;
+
+/// The least width of a panel in which its heading, and beside it the factor of the axis of curves, are not cut off, mm.
+pub fn heading_width(panel: &Panel, style: Style, language: &Language) -> f64 {
+    let print = &Print { style, language };
+    let title = plain(&panel.heading(), language);
+    let halves = title.match_indices(' ').map(|(at, _)| title.split_at(at));
+    let widest = halves.map(|(first, rest)| print.width(first).max(print.width(rest)));
+    let lines = widest.fold(print.width(&title), f64::min);
+    let factor = match &panel.frame {
+        Frame::Axes { y, .. } if style.axes_to_scale => axes::factor_room(y, print),
+        _ => 0.0,
+    };
+    lines + factor + 2.0 * (style.em + BORDER)
+}
 
 fn heading(panel: &Panel, room: Room, print: &Print<'_>) -> Vec<Element> {
     let (title, em) = (plain(&panel.heading(), print.language), print.style.em);
-    let mut lines = print.wrapped(&title, room.width);
+    // The heading beside it is not to seem to go on with it.
+    let width = room.width - em;
+    let mut lines = print.wrapped(&title, width);
     if lines.len() > HEADING {
-        lines = vec![names::fitted(&title, room.width, em)];
+        lines = vec![names::fitted(&title, width, em)];
     }
     let place = |row: usize| [room.left, room.top + em + row as f64 * print.style.row()];
     let written = |(row, line): (usize, &String)| print.text(place(row), line, Ink::Title, Anchor::Start);

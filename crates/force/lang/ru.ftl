@@ -1,8 +1,8 @@
 force-sort = метод силового анализа
 force-weight = сила тяжести
 force-inertia = силы инерции
-force-weight-of = сила тяжести звена { $link }
-force-inertia-of = силы инерции звена { $link }
+force-weight-of = сила тяжести ({ $link })
+force-inertia-of = силы инерции ({ $link })
 force-load-needs-motion = нагрузка `{ $load }`: для { $what } нужно движение; добавьте `[motion]` со скоростью
 force-damping = демпфирования
 force-against-motion = силы против движения

@@ -1,8 +1,8 @@
 force-sort = метод силового аналізу
 force-weight = сила ваги
 force-inertia = сили інерції
-force-weight-of = сила ваги ланки { $link }
-force-inertia-of = сили інерції ланки { $link }
+force-weight-of = сила ваги ({ $link })
+force-inertia-of = сили інерції ({ $link })
 force-load-needs-motion = навантаження `{ $load }`: для { $what } потрібен рух; додайте `[motion]` зі швидкістю
 force-damping = демпфування
 force-against-motion = сили проти руху

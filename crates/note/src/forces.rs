@@ -3,13 +3,13 @@
 
 use assur_analysis::results::Owner;
 use assur_book::{Document, Table, Unit, catalogue};
-use assur_diagram::VectorPlan;
-use assur_figure::{Figure, Ink, Panel, Stroke, number::digits};
-use assur_force::{Construction, ConstructionStep};
+use assur_diagram::PlanVector;
+use assur_figure::{Figure, Ink, Item, Panel, Stroke};
+use assur_force::{Construction, ConstructionStep, VectorKind};
 use assur_picture::forces::{self, beside_friction};
-use assur_picture::{Look, Reaction, Series, ViewPart, curves, plans, plots};
+use assur_picture::{Look, Reaction, Series, ViewPart, curves, mechanism, plans, plots};
 use assur_report::topic;
-use assur_words::{Text, list, name, number, quantity, text, unit};
+use assur_words::{Text, list, measured, name, number, text, unit};
 
 use crate::context::{Context, on_paper, show, still};
 use crate::formula::Finds;
@@ -78,38 +78,49 @@ fn loads(context: &Context<'_>) -> Figure {
 
 /// The polygon of each group in the chosen positions beside each other, with a table of its vectors.
 fn polygons(context: &Context<'_>, page: &mut Document) {
-    let found = context.found;
-    let sheets: Vec<_> =
-        context.positions.iter().map(|position| (*position, found.plans.at(*position))).collect();
-    let of = |polygon: usize| {
-        let each = sheets.iter().filter_map(move |(position, plans)| {
-            Some((*position, plans.sheet.as_ref().ok()?.polygons.get(polygon)?))
-        });
-        each.collect::<Vec<_>>()
-    };
-    for (polygon, plans) in
-        (0..).map(|polygon| (polygon, of(polygon))).take_while(|(_, plans)| !plans.is_empty())
-    {
-        let title = || plans[0].1.title.clone();
-        let (places, of) = (text!("note-force-polygon", title = title(), place = context.places()), title());
-        let vectors = vectors(&plans, text!("note-polygon-vectors", title = of));
-        let drawn =
-            |look: &Look<'_>| plans::figure(context.results, &Look { polygon, ..*look }, ViewPart::Forces);
-        let figure = context.beside(drawn);
-        show(page, "note-see-polygon", (figure, POLYGONS), places);
-        page.table(vectors);
+    let (results, found) = (context.results, context.found);
+    let numbered = context.language.with_marks(mechanism::numbers(&results.linkage.mechanism));
+    // Links have their numbers in symbols, as in the formulas.
+    let in_print = |text: &Text| name(text.render(&numbered));
+    for (polygon, links) in plans::bodies(results).iter().enumerate() {
+        let vectors = |position: &usize| {
+            let all = plans::vectors(results, *position, polygon, links).into_iter();
+            all.map(|(symbol, item)| (*position, in_print(&symbol), item)).collect::<Vec<_>>()
+        };
+        let vectors: Vec<Row> = context.positions.iter().flat_map(vectors).collect();
+        let drawn = |look: &Look<'_>| {
+            let mut figure = plans::polygon(results, look.position, polygon, links);
+            for item in figure.panels.iter_mut().flat_map(|panel| &mut panel.items) {
+                if let Item::Name { text, .. } = item {
+                    *text = in_print(text);
+                }
+            }
+            // The table has the sizes of all positions.
+            Figure { legend: Vec::new(), ..figure }
+        };
+        let plan = found.plans.at(context.positions[0]);
+        let plan = plan.sheet.as_ref().ok().and_then(|sheet| sheet.polygons.get(polygon));
+        let Some(title) = plan.map(|plan| &plan.title).filter(|_| !vectors.is_empty()) else { continue };
+        let caption = text!("note-force-polygon", title, place = context.places());
+        show(page, "note-see-polygon", (context.beside(drawn), POLYGONS), caption);
+        page.table(table_of(vectors, text!("note-polygon-vectors", title)));
     }
 }
 
-fn vectors(polygons: &[(usize, &VectorPlan)], caption: Text) -> Table {
-    let labelled = |plan| plans::labelled(ViewPart::Forces, plan).into_iter();
-    let rows = polygons.iter().flat_map(|(position, plan)| labelled(plan).map(move |row| (position, row)));
-    Table::each(caption, rows.filter(|(_, (label, _))| label != ".."))
-        .column(text!("note-position"), |(position, _)| number(position))
-        .column(text!("head-vector"), |(_, (label, _))| name(label.clone()))
-        .column(text!("note-force"), |(_, (_, item))| item.name.clone())
-        .column(text!("head-acts"), |(_, (_, item))| item.note.clone())
-        .measured(name("F"), Unit::FORCE, |(_, (_, item))| item.size)
+/// A vector of a position with its symbol.
+type Row = (usize, Text, PlanVector);
+
+fn table_of(vectors: Vec<Row>, caption: Text) -> Table {
+    let what = |item: &PlanVector| match item.kind {
+        VectorKind::Reaction => text!("note-symbol-reaction"),
+        _ => item.name.clone(),
+    };
+    Table::each(caption, vectors.into_iter().filter(|(.., item)| item.kind != VectorKind::Inner))
+        .column(text!("note-position"), |(position, ..)| number(position))
+        .column(text!("head-vector"), |(_, symbol, _)| symbol.clone())
+        .column(text!("note-force"), |(.., item)| what(item))
+        .column(text!("head-acts"), |(.., item)| item.note.clone())
+        .measured(text!("note-size"), Unit::FORCE, |(.., item)| item.size)
         .table()
 }
 
@@ -118,10 +129,16 @@ fn over_cycle(context: &Context<'_>, page: &mut Document) {
     let (results, found) = (context.results, context.found);
     let pairs = found.reactions.iter().enumerate().filter(|(_, reaction)| reaction.series.len() == 3);
     let size = |(index, reaction): (usize, &Reaction)| (index, found.series[reaction.series[2]].size());
+    // What is rounding shows nothing.
+    let is_seen = |index: usize| found.series[index].size() > found.series[index].least();
+    let pairs = pairs.filter(|(_, reaction)| is_seen(reaction.series[2]));
     let most = pairs.clone().map(size).max_by(|one, other| one.1.total_cmp(&other.1)).map(|(index, _)| index);
     let moduli = pairs.filter_map(|(_, reaction)| reaction.series.last());
     let moduli: Vec<String> = moduli.map(|index| found.series[*index].short.clone()).collect();
-    let balancing = found.reactions.iter().position(|reaction| reaction.of.is_none());
+    let is_balancing = |reaction: &Reaction| {
+        reaction.of.is_none() && reaction.series.first().is_some_and(|index| is_seen(*index))
+    };
+    let balancing = found.reactions.iter().position(is_balancing);
     let of = most.map(|index| found.reactions[index].name.clone()).unwrap_or_default();
     let balance = balancing.and_then(|index| found.reactions[index].series.first());
     let symbol = balance.map(|index| unit(found.series[*index].unit.name));
@@ -187,7 +204,7 @@ fn stages(construction: &Construction) -> Vec<usize> {
 fn steps(construction: &Construction, caption: Text) -> Table {
     let size = |step: &ConstructionStep| {
         let length = step.vector[0].hypot(step.vector[1]);
-        if length > 0.0 { quantity(digits(length, 5), step.unit) } else { Text::default() }
+        if length > 0.0 { measured(length, 5, step.unit) } else { Text::default() }
     };
     Table::each(caption, construction.steps.iter().enumerate())
         .column(text!("note-step"), |(at, _)| number(at + 1))

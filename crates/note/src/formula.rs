@@ -4,7 +4,7 @@ use std::cell::RefCell;
 
 use assur_book::{Block, Document, Term};
 use assur_words::{Describe, Text, number, text};
-use assur_working::WorkingError;
+use assur_working::{WorkingError, digits_told};
 use assur_worksheet::{Entry, Section};
 
 use crate::context::Context;
@@ -104,8 +104,11 @@ pub(super) fn energy(context: &Context<'_>, page: &mut Document) {
 
 fn add(context: &Context<'_>, section: &Section, page: &mut Document) {
     page.blocks.push(Block::Subheading(section.title.clone()));
-    for entry in &section.entries {
-        page.blocks.push(match entry {
+    let digits = context.note.digits;
+    let is_of_digits = |text: &Text| text.identity() == digits_told(digits).identity();
+    for entry in section.entries.iter().map(|entry| entry.with_digits(digits)) {
+        page.blocks.push(match &entry {
+            Entry::Note(text) if is_of_digits(text) => Block::Paragraph(digits_told(digits)),
             Entry::Note(text) => Block::Paragraph(text.clone()),
             equation => {
                 let before = page.blocks.iter().filter(|block| matches!(block, Block::Equation(_))).count();

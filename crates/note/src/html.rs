@@ -133,8 +133,8 @@ fn equation(sheet: &NoteSheet<'_>, terms: &[Term]) -> String {
     let line = |text: &Text| escaped(&sheet.line(text));
     let term = |term: &Term| match term {
         Term::Symbol(symbol) => {
-            let below = symbol.subscript();
-            let below = if below.is_empty() { String::new() } else { format!("<sub>{}</sub>", line(&below)) };
+            let below = escaped(&sheet.below(symbol));
+            let below = if below.is_empty() { below } else { format!("<sub>{below}</sub>") };
             format!("<i>{}</i>{below}", line(&symbol.letter()))
         }
         Term::Function("sqrt") => "√".to_owned(),

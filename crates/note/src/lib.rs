@@ -18,7 +18,7 @@ mod typst;
 pub mod working;
 
 use assur_book::Document;
-use assur_picture::Results;
+use assur_picture::{Results, mechanism};
 use assur_scene::Note;
 use assur_words::{Language, Text, name, text};
 
@@ -118,5 +118,6 @@ fn sheet<'a>(results: &Results, note: &Note, language: &'a Language) -> Result<N
     let positions = results.chosen(&note.positions);
     let Document { blocks, .. } = document(results, note, &positions)?;
     let cover = Cover::of(note, Text::from(&mechanism.title));
-    Ok(NoteSheet { cover, blocks, language, digits: note.digits })
+    let numbered = language.with_marks(mechanism::numbers(mechanism));
+    Ok(NoteSheet { cover, blocks, language, numbered, digits: note.digits })
 }

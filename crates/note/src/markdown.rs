@@ -76,23 +76,23 @@ fn rich(text: &str) -> String {
 
 /// An equation in the notation of TeX, without what TeX or a reader of Markdown that knows no formulas takes for markup.
 fn equation(sheet: &NoteSheet<'_>, terms: &[Term]) -> String {
-    let plain =
-        |text: &Text| sheet.line(text).replace('\\', "").replace(['{', '}', '$', '<', '>', '&', '`'], " ");
-    let word = |text: &Text| format!("\\text{{{}}}", plain(text));
+    let bare = |text: String| text.replace('\\', "").replace(['{', '}', '$', '<', '>', '&', '`'], " ");
+    let plain = |text: &Text| bare(sheet.line(text));
+    let word = |text: String| format!("\\text{{{text}}}");
     let line = |term: &Term| sheet.line(&term.text());
     let term = |term: &Term| match term {
         Term::Symbol(symbol) => {
             let letters = plain(&symbol.letter()).replace('″', "''").replace('′', "'");
-            let below = symbol.subscript();
-            if below.is_empty() { letters } else { format!("{letters}_{{{}}}", word(&below)) }
+            let below = bare(sheet.below(symbol));
+            if below.is_empty() { letters } else { format!("{letters}_{{{}}}", word(below)) }
         }
         Term::Function("sqrt") => "\\surd".to_owned(),
         Term::Function(text) => format!("\\operatorname{{{text}}}"),
         Term::Number(_) => line(term).replace(',', "{,}").replace('−', "-").replace('·', "\\cdot "),
         Term::Square => "^{2}".to_owned(),
         Term::Sign(_) | Term::Comma => line(term).replace(['·', '*'], "\\cdot ").replace('−', "-"),
-        Term::Unit(symbol) => format!("\\ {}", word(&unit(*symbol))),
-        Term::Words(text) => format!("\\quad ({})", word(text)),
+        Term::Unit(symbol) => format!("\\ {}", word(plain(&unit(*symbol)))),
+        Term::Words(text) => format!("\\quad ({})", word(plain(text))),
     };
     terms.iter().map(term).collect()
 }

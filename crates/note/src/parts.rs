@@ -159,6 +159,8 @@ fn kinematics(context: &Context<'_>, page: &mut Document) {
         ),
     ] {
         let figure = context.beside(|look| plans::figure(results, look, kind));
+        let several = context.positions.len() > 1;
+        let caption = if several { context.with_legend(caption) } else { caption };
         show(page, told, (figure, PLANS), caption);
     }
     context.tell(page, &[topic::rates_of_points, topic::rates_of_links]);

@@ -6,7 +6,7 @@ mod table;
 
 use assur_book::{Block, Term};
 use assur_figure::{Anchor, Element, Figure, Ink, Page, Style, elements};
-use assur_words::{Text, text};
+use assur_words::{Text, number, text};
 
 use super::cover::Cover;
 use super::sheet::NoteSheet;
@@ -30,7 +30,13 @@ const TITLE: f64 = 6.2;
 const LINE: f64 = 1.45;
 const APART: f64 = 2.2;
 /// What must fit below a heading, mm.
-const KEPT: f64 = 24.0;
+const KEPT: f64 = 36.0;
+/// How full a page is that may end before a heading, as part of its height.
+const FULL: f64 = 0.7;
+/// Lines of a paragraph that no page divides.
+const UNDIVIDED: usize = 3;
+/// Height of a heading in a chapter, mm.
+const HEADED: f64 = 14.0;
 /// Width of a rule that is to be filled in by hand, mm, and of the lines of tables.
 const RULE: f64 = 60.0;
 const FINE: f64 = 0.2;
@@ -79,6 +85,10 @@ impl Pages {
         if self.done.is_empty() || self.y + high > LAST {
             self.begin();
         }
+        // Pictures that waited may have taken the place.
+        while self.y > TOP && self.y + high > LAST {
+            self.begin();
+        }
     }
 
     /// A picture here, or on the next page; pictures keep their order.
@@ -102,14 +112,23 @@ impl Pages {
     }
 
     fn paragraph(&mut self, words: &str, size: f64) {
-        for line in wrapped(words, WIDTH, size) {
-            self.line(&line, size, 0.0);
+        let lines = wrapped(words, WIDTH, size);
+        if lines.len() <= UNDIVIDED {
+            self.need(LINE * size * lines.len() as f64);
+        }
+        for line in &lines {
+            self.line(line, size, 0.0);
         }
         self.y += APART;
     }
 
-    fn heading(&mut self, words: &str, size: f64) {
-        self.need(KEPT);
+    /// A heading with what must stand below it, and so much more.
+    fn heading(&mut self, words: &str, size: f64, more: f64) {
+        // Pictures that wait belong to what is above, where this doesn't leave a page half empty.
+        if !self.waiting.is_empty() && self.y > TOP + FULL * (LAST - TOP) {
+            self.begin();
+        }
+        self.need(KEPT + more);
         self.y += APART;
         self.paragraph(words, size);
     }
@@ -119,19 +138,21 @@ impl Pages {
 pub(super) fn write(sheet: &NoteSheet<'_>) -> Option<Vec<u8>> {
     let mut pages = Pages::default();
     cover(&sheet.cover, sheet, &mut pages);
-    // The contents have a page, whose numbers are known at the end.
+    // The contents have room on the second page; the numbers of pages are known at the end.
     pages.begin();
-    pages.begin();
-    let (mut chapters, mut equations) = (Vec::new(), 0_usize);
-    for block in &sheet.blocks {
+    pages.y = TOP + contents_height(sheet.chapters().count());
+    let (mut chapters, [mut equations, mut tables]) = (Vec::new(), [0_usize; 2]);
+    for (at, block) in sheet.blocks.iter().enumerate() {
         match block {
             Block::Title(_) => {}
             Block::Heading(title) => {
                 let title = sheet.line(title);
-                pages.heading(&title, HEADING);
+                let next = sheet.blocks.get(at + 1);
+                let more = if matches!(next, Some(Block::Subheading(_))) { HEADED } else { 0.0 };
+                pages.heading(&title, HEADING, more);
                 chapters.push((title, pages.done.len()));
             }
-            Block::Subheading(title) => pages.heading(&sheet.line(title), SUBHEADING),
+            Block::Subheading(title) => pages.heading(&sheet.line(title), SUBHEADING, 0.0),
             Block::Paragraph(words) => {
                 sheet.paragraphs(words).iter().for_each(|words| pages.paragraph(words, BODY));
             }
@@ -143,8 +164,10 @@ pub(super) fn write(sheet: &NoteSheet<'_>) -> Option<Vec<u8>> {
                 pages.float(picture(sheet, &frames[0], *size, &sheet.line(caption)));
             }
             Block::Table(_) | Block::Facts { .. } => {
+                tables += 1;
                 if let Some(of) = block.as_table() {
-                    table::put(&mut pages, &sheet.line(&of.caption), &sheet.grid(&of));
+                    let again = sheet.line(&text!("note-table-goes-on", number = number(tables)));
+                    table::put(&mut pages, [&sheet.line(&of.caption), &again], &sheet.grid(&of));
                 }
             }
         }
@@ -199,6 +222,11 @@ fn cover(cover: &Cover, sheet: &NoteSheet<'_>, pages: &mut Pages) {
     }
 }
 
+/// The height of the contents of so many chapters, mm.
+fn contents_height(chapters: usize) -> f64 {
+    LINE * HEADING + 2.0 * BODY * chapters as f64 + 6.0 * APART
+}
+
 fn contents(sheet: &NoteSheet<'_>, page: &mut Vec<Element>, chapters: &[(String, usize)]) {
     let head = sheet.line(&text!("note-contents"));
     let mut y = TOP + LINE * HEADING;
@@ -241,7 +269,7 @@ fn equation(pages: &mut Pages, words: &str, number: usize) {
 fn written(sheet: &NoteSheet<'_>, terms: &[Term]) -> String {
     let term = |term: &Term| match term {
         Term::Symbol(symbol) => {
-            let below = sheet.line(&symbol.subscript());
+            let below = sheet.below(symbol);
             let letter = sheet.line(&symbol.letter());
             if below.is_empty() { letter } else { format!("{letter}_{{{below}}}") }
         }

@@ -3,6 +3,7 @@
 use assur_book::{Block, Printed, Table};
 use assur_figure::svg::lowered;
 use assur_words::{Language, Text, joined, number, unit};
+use assur_worksheet::Symbol;
 
 use crate::cover::Cover;
 
@@ -10,6 +11,8 @@ pub(super) struct NoteSheet<'a> {
     pub(super) cover: Cover,
     pub(super) blocks: Vec<Block>,
     pub(super) language: &'a Language,
+    /// The same with the numbers of links, for subscripts.
+    pub(super) numbered: Language,
     /// Significant digits of its numbers.
     pub(super) digits: usize,
 }
@@ -25,6 +28,11 @@ impl NoteSheet<'_> {
     pub(super) fn line(&self, text: &Text) -> String {
         // Signs of print, in every language; names need no quotes on paper.
         text.render(self.language).replace("->", "→").replace('`', "")
+    }
+
+    /// The subscripts of a symbol, in which links have their numbers.
+    pub(super) fn below(&self, symbol: &Symbol) -> String {
+        symbol.subscript().render(&self.numbered).replace('`', "")
     }
 
     /// Gives headings, figures and tables their numbers.
@@ -70,8 +78,10 @@ impl NoteSheet<'_> {
         let (keys, groups) = table.printed_with(self.digits);
         let columns: Vec<Printed> = keys.into_iter().chain(groups.into_iter().flatten()).collect();
         let head = |column: &Printed| {
-            let parts = [column.head.clone(), unit(column.unit)];
-            self.line(&assur_words::list(parts.into_iter().filter(|part| !part.is_empty())))
+            let words = [self.line(&column.head), self.line(&unit(column.unit))];
+            let [symbol, unit] = words;
+            let parts = [with_subscript(symbol), unit];
+            parts.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(", ")
         };
         let cell = |column: &Printed, row: usize| {
             column
@@ -86,6 +96,17 @@ impl NoteSheet<'_> {
             right: columns.iter().map(|column| column.of_numbers).collect(),
             rows: (0..table.height()).map(row).collect(),
         }
+    }
+}
+
+/// The symbol of a component, `vx`, or of what friction does, `Mf`, with its second letter as a subscript.
+fn with_subscript(head: String) -> String {
+    match *head.as_bytes() {
+        [letter @ (b'v' | b'a' | b'F' | b'R'), axis @ (b'x' | b'y')]
+        | [letter @ (b'F' | b'M' | b'P'), axis @ b'f'] => {
+            format!("{}_{{{}}}", char::from(letter), char::from(axis))
+        }
+        _ => head,
     }
 }
 

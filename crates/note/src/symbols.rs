@@ -46,6 +46,11 @@ fn of_forces(context: &Context<'_>) -> Vec<Row> {
         rows.push(("R", "note-symbol-reaction", Unit::FORCE));
         rows.push(("M", "note-symbol-moment", Unit::MOMENT));
     }
+    if found.analysis.friction.is_some() {
+        rows.push(("M_{f}", "note-symbol-friction-moment", Unit::MOMENT));
+        rows.push(("F_{f}", "note-symbol-friction-force", Unit::FORCE));
+        rows.push(("P_{f}", "note-symbol-friction-power", Unit::POWER));
+    }
     let has = |quantity| found.rows().0.schema().find(Column::of(quantity, Owner::Input)).is_some();
     if has(Quantity::Balancing) {
         rows.push(("", "note-symbol-balancing", Unit::load(mechanism.balances_by_moment())));

@@ -91,13 +91,12 @@ fn rich(text: &str) -> String {
 fn equation(sheet: &NoteSheet<'_>, terms: &[Term]) -> String {
     let term = |term: &Term| match term {
         Term::Symbol(symbol) => {
-            let (letters, below) = (sheet.line(&symbol.letter()), symbol.subscript());
+            let (letters, below) = (sheet.line(&symbol.letter()), sheet.below(symbol));
             let primes = letters.trim_start_matches(|c: char| c.is_alphabetic());
             let letters = letters.trim_end_matches(primes);
             let letters = if letters.chars().count() > 1 { quoted(letters) } else { letters.to_owned() };
             let primes = "'".repeat(primes.chars().map(|c| if c == '″' { 2 } else { 1 }).sum());
-            let below =
-                if below.is_empty() { String::new() } else { format!("_{}", quoted(&sheet.line(&below))) };
+            let below = if below.is_empty() { below } else { format!("_{}", quoted(&below)) };
             format!("{letters}{primes}{below} ")
         }
         Term::Function("sqrt") => "√".to_owned(),

@@ -64,7 +64,8 @@ impl<'a> Acting<'a> {
         [name, told]: [Text; 2],
         style: (Stroke, Ink),
     ) {
-        self.all.push(Arrow { at, kind, vector, name, told, style });
+        let of_pair = style.1 == Ink::First;
+        self.all.push(Arrow { at, kind, vector, name, told, style, of_pair });
     }
 
     /// A force and a moment at a place, with their symbols and what they are.
@@ -114,7 +115,7 @@ impl<'a> Acting<'a> {
         let drives = mechanism.input.placed().any(|link| self.concerns(link));
         if let Some([drive, _]) = found.drive_in(self.state).filter(|_| all_wanted && drives) {
             let told = catalogue::kind(Column::of(Quantity::ReducedLoad, Owner::Input));
-            self.on_input(None, drive, "d", &told);
+            self.on_input(None, drive, &text!("index-of-drive"), &told);
         }
     }
 
@@ -153,21 +154,27 @@ impl<'a> Acting<'a> {
         if acts && calculation.drive_in(self.state).is_none() {
             let told = catalogue::kind(Column::BALANCING);
             if mechanism.input.sole().is_some() {
-                self.on_input(UnitBalance::of(mechanism), found.balancing, "b", &told);
+                self.on_input(
+                    UnitBalance::of(mechanism),
+                    found.balancing,
+                    &text!("index-of-balancing"),
+                    &told,
+                );
             }
             for ((index, driver), size) in mechanism.input.drivers.iter().enumerate().zip(&found.drives) {
-                self.by_driver(driver, *size, &format!("b{}", index + 1), &told);
+                let index = joined("", [text!("index-of-balancing"), name((index + 1).to_string())]);
+                self.by_driver(driver, *size, &index, &told);
             }
         }
     }
 
     /// The load of a drive on its link; of a slide between two moving links on both.
-    fn by_driver(&mut self, driver: &Driver, size: f64, index: &str, told: &Text) {
+    fn by_driver(&mut self, driver: &Driver, size: f64, index: &Text, told: &Text) {
         let (mechanism, bodies) = (&self.results.linkage.mechanism, &self.pose.bodies);
         let along = drive_direction(mechanism, driver, bodies).map_or([0.0, 0.0, 1.0], |[x, y]| [x, y, 0.0]);
         let [x, y, moment] = along;
         let at = self.of_driver(driver);
-        let symbols = ["F", "M"].map(|letter| name(format!("{letter}_{{{index}}}")));
+        let symbols = with_index(index);
         // A cylinder pushes both of its links.
         let is_pair = driver.is_relative() && !driver.is_angle();
         for size in [size, -size].into_iter().take(if is_pair { 2 } else { 1 }) {
@@ -176,7 +183,7 @@ impl<'a> Acting<'a> {
     }
 
     /// What acts on the input along its coordinate, or where the scene has its balancing load.
-    fn on_input(&mut self, unit: Option<UnitBalance>, size: f64, index: &str, told: &Text) {
+    fn on_input(&mut self, unit: Option<UnitBalance>, size: f64, index: &Text, told: &Text) {
         let results = self.results;
         let (mechanism, bodies) = (&results.linkage.mechanism, &self.pose.bodies);
         let (at, [x, y, moment]) = match (unit.map(|unit| unit.wrench(bodies)), mechanism.balance) {
@@ -186,7 +193,7 @@ impl<'a> Acting<'a> {
             (Some(unit), Some(Balance::Moment(link))) => (self.anchor(link), [0.0, 0.0, unit.m]),
             _ => return self.by_driver(mechanism.input.first(), size, index, told),
         };
-        let symbols = ["F", "M"].map(|letter| name(format!("{letter}_{{{index}}}")));
+        let symbols = with_index(index);
         self.act(at, [size * x, size * y], size * moment, symbols, told, Ink::Second);
     }
 
@@ -209,6 +216,11 @@ impl<'a> Acting<'a> {
         let found = points.min_by_key(|point| point.on(GROUND).is_none());
         self.pose.bodies[link].point(found.and_then(|point| point.on(link)).unwrap_or_default())
     }
+}
+
+/// The symbols of a force and of a moment with an index.
+fn with_index(index: &Text) -> [Text; 2] {
+    ["F_{", "M_{"].map(|letter| joined("", [name(letter), index.clone(), name("}")]))
 }
 
 /// The pairs of some links with other bodies, each with the link on which its force is told.

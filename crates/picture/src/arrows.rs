@@ -6,13 +6,12 @@ use std::collections::HashSet;
 use std::sync::Arc;
 
 use assur_book::Unit;
-use assur_figure::number::digits;
 use assur_figure::{Bounds, Frame, Ink, Item, Key, Panel, Point, Sample, Scale, Stroke};
 use assur_force::LoadState;
 use assur_group::plane::{length, minus, plus, scaled};
 use assur_kinematics::Position;
 use assur_mechanism::{GROUND, LinkId};
-use assur_words::{Text, joined, name, quantity, text};
+use assur_words::{Text, joined, measured, name, text};
 
 use crate::acting::Acting;
 use crate::{Arrows, Look, Picture, Results, ViewPart, plots};
@@ -52,6 +51,8 @@ pub(crate) struct Arrow {
     /// What it is, in the legend beside its size.
     pub(crate) told: Text,
     pub(crate) style: (Stroke, Ink),
+    /// Whether a pair exerts it.
+    pub(crate) of_pair: bool,
 }
 
 /// The scale of each kind that there is, and the length, m, of a vector of size 1 in SI.
@@ -155,8 +156,8 @@ impl Shown {
         let mut keys = Vec::new();
         for Arrow { kind, vector, name, told, style, .. } in &self.arrows {
             let size = match kind {
-                Kind::Force if length(*vector) > 0.0 => quantity(digits(length(*vector), 5), "N"),
-                Kind::Moment => quantity(digits(vector[0], 5), "N m"),
+                Kind::Force if length(*vector) > 0.0 => measured(length(*vector), 5, "N"),
+                Kind::Moment => measured(vector[0], 5, "N m"),
                 Kind::Force => continue,
                 // Their sizes are those of the plans.
                 Kind::Velocity | Kind::Acceleration => {
@@ -233,7 +234,7 @@ fn rates(results: &Results, pose: &Position, state: &LoadState, kind: Kind) -> V
         };
         let parts = [name(SYMBOLS[kind as usize]), name("_{"), Text::from(&point.name), name("}")];
         let name = joined("", parts);
-        Arrow { at: motion.pf0, kind, vector, name, told: Text::default(), style }
+        Arrow { at: motion.pf0, kind, vector, name, told: Text::default(), style, of_pair: false }
     };
     moving.map(arrow).collect()
 }

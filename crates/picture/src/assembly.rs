@@ -1,5 +1,7 @@
 //! The mechanism put together group by group, and in many positions over each other.
 
+use std::collections::HashMap;
+
 use assur_figure::mechanism::Drawing;
 use assur_figure::{Bounds, Figure, Ink, Item, Panel, Scale, Stroke};
 use assur_geometry::overview;
@@ -50,6 +52,9 @@ pub fn positions(results: &Results, others: &[usize], chosen: usize) -> Figure {
     let drawing = mechanism::drawing(results, &[]);
     let mut items = mechanism::paths(results, |_| true);
     let points = numbered(results);
+    // Where they lie close to each other, only those numbers stand that have room.
+    let wide: HashMap<usize, bool> =
+        points.iter().map(|(point, _)| (*point, is_wide(results, *point))).collect();
     let mut numbers = Vec::new();
     for &position in others {
         let Some(pose) = results.pose(position, 0.0).filter(|_| position != chosen) else { continue };
@@ -58,7 +63,7 @@ pub fn positions(results: &Results, others: &[usize], chosen: usize) -> Figure {
             let own = &results.linkage.mechanism.points[point];
             let Some(at) = own.on(link) else { continue };
             let text = joined("", [Text::from(&own.name), name(format!("_{{{position}}}"))]);
-            let needed = results.linkage.mechanism.input.placed().any(|input| input == link);
+            let needed = wide[&point] && results.linkage.mechanism.input.placed().any(|input| input == link);
             numbers.push(Item::Name { at: pose.bodies[link].point(at), text, ink: Ink::Text, needed });
         }
     }
@@ -74,7 +79,24 @@ pub fn positions(results: &Results, others: &[usize], chosen: usize) -> Figure {
     }
     items.extend(drawing.items(&pose));
     items.extend(numbers);
-    Figure::of(mechanism::plane(results, items))
+    let legend = mechanism::links(&drawing).collect();
+    Figure { legend, ..Figure::of(mechanism::plane(results, items)) }
+}
+
+/// The symbols of what acts on some links that are taken out of the mechanism in a position, each with what it is; force and moment
+/// of one cause stand together.
+pub fn acting(results: &Results, position: usize, links: &[LinkId]) -> Vec<[Text; 2]> {
+    let shown = Shown::on_links(results, position, links);
+    let mut all: Vec<[Text; 2]> = Vec::new();
+    for arrow in shown.iter().flat_map(Shown::all).filter(|arrow| !arrow.told.is_empty()) {
+        let (symbol, told) = (arrow.name.clone(), &arrow.told);
+        let told = if arrow.of_pair { text!("assembly-reaction", of = told) } else { told.clone() };
+        match all.iter_mut().find(|own| own[1] == told) {
+            Some([symbols, _]) => *symbols = list([symbols.clone(), symbol]),
+            None => all.push([symbol, told]),
+        }
+    }
+    all
 }
 
 /// Some links taken out of the mechanism in a position, with their loads and the reactions of the bodies that stay.
@@ -107,6 +129,15 @@ fn dead(results: &Results) -> Vec<Position> {
         results.linkage.solve(*at, Order::Place, &mut pose).ok().map(|()| pose)
     };
     stroke.map_or_else(Vec::new, |stroke| stroke.dead_points.iter().filter_map(solved).collect())
+}
+
+/// Whether the path of a point is so large in the drawing of the mechanism that its places can be told apart.
+fn is_wide(results: &Results, point: usize) -> bool {
+    /// As part of the size of the drawing.
+    const LEAST: f64 = 0.25;
+    let size = |bounds: &Bounds| bounds.size().into_iter().fold(0.0, f64::max);
+    let path = results.outline.paths.get(point).map_or(&[][..], Vec::as_slice);
+    size(&Bounds::around(path.iter().copied())) >= LEAST * size(&results.outline.bounds)
 }
 
 /// What of an item stands behind the chosen position.

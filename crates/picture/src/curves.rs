@@ -157,8 +157,7 @@ pub(crate) fn together(results: &Results, look: &Look<'_>, all: &[&Series]) -> F
     };
     let key = |(number, series): (usize, &&Series)| {
         let (stroke, ink) = style(number);
-        let value = assur_words::number(series.bare(look.position));
-        let text = joined(": ", [plots::numbered(number, series.title()), value]);
+        let text = joined(": ", [plots::numbered(number, series.title()), series.number_told(look.position)]);
         Key { sample: Sample::Line(stroke, ink), text }
     };
     let panels = different(units.iter().copied()).into_iter().map(panel).collect();

@@ -4,6 +4,7 @@ use assur_analysis::results::Owner;
 use assur_figure::mechanism::Drawing;
 use assur_figure::{Figure, Frame, Ink, Item, Key, Panel, Sample, Scale, Sign, Stroke};
 use assur_kinematics::Position;
+use assur_mechanism::{Mechanism, Slide};
 use assur_words::{joined, name};
 
 use crate::arrows::Shown;
@@ -122,13 +123,23 @@ fn of_probe(results: &Results, probe: &Probe, pose: &Position) -> [Item; 3] {
 }
 
 /// The names of the links, which have numbers in the drawing; too many would leave no room for it.
-fn links(drawing: &Drawing<'_>) -> impl Iterator<Item = Key> {
+pub(crate) fn links(drawing: &Drawing<'_>) -> impl Iterator<Item = Key> {
     let all = &drawing.linkage.mechanism.links;
     let links = all.iter().enumerate().skip(1).filter(|(number, _)| !drawing.hidden.contains(number));
     links.filter(|_| all.len() <= MOST_LINKS + 1).map(|(number, link)| Key {
         sample: Sample::Line(Stroke::Thick, drawing.ink(number)),
         text: joined(" ", [name(number.to_string()), (&link.name).into()]),
     })
+}
+
+/// The numbers of the links in drawings, by their names; a name that a point has too stands for the point.
+pub fn numbers(mechanism: &Mechanism) -> Vec<(String, String)> {
+    let is_point = |name: &str| mechanism.points.iter().any(|point| point.name == *name);
+    let links = mechanism.links.iter().enumerate().filter(|(_, link)| !is_point(&link.name));
+    let mut all: Vec<_> = links.map(|(number, link)| (link.name.to_string(), number.to_string())).collect();
+    let pair = |slide: &Slide| (slide.name.to_string(), format!("{}/{}", slide.link, slide.on));
+    all.extend(mechanism.slides.iter().map(pair));
+    all
 }
 
 /// The paths that are wanted; a trail is the part of a path that was passed last.

@@ -10,11 +10,13 @@ pub fn on_paper(mut figure: Figure) -> Figure {
     Figure { title: Text::default(), ..figure }
 }
 
-/// Takes the cursor from a plot, and the value at it; the unit stays in its heading.
+/// Takes the cursor from a plot, and the value at it; the unit stays in its heading, which begins with a capital.
 pub fn still(panel: &mut Panel) {
-    let Frame::Axes { cursor, y, .. } = &mut panel.frame else { return };
-    *cursor = None;
-    if !y.label.is_empty() {
-        panel.title = list([panel.title.clone(), y.label.clone()]);
+    if let Frame::Axes { cursor, y, .. } = &mut panel.frame {
+        *cursor = None;
+        if !y.label.is_empty() {
+            panel.title = list([panel.title.clone(), y.label.clone()]);
+        }
     }
+    panel.title = std::mem::take(&mut panel.title).heading();
 }

@@ -1,12 +1,11 @@
 //! Plans of a position: force polygon of a group, velocities, accelerations, the constructions step by step.
 
 use assur_diagram::{PlanVector, VectorPlan, construction_picture};
-use assur_figure::number::digits;
 use assur_figure::{Bounds, Figure, Frame, Ink, Item, Key, Panel, Scale, Sign, Stroke, one_scale};
 use assur_force::{Construction, ConstructionStep, Drawing, VectorKind};
 use assur_group::plane::cross;
 use assur_mechanism::LinkId;
-use assur_words::{Describe, Text, joined, name, number, quantity, text};
+use assur_words::{Describe, Text, joined, measured, name, number, text};
 
 use crate::{Found, Look, Plans, Results, ViewPart, arrows, mechanism, plots};
 
@@ -105,18 +104,21 @@ pub fn lever(results: &Results, look: &Look<'_>) -> Figure {
     let Some(step) = last else { return Figure::default() };
     let drawn = figure(results, &Look { step, ..*look }, ViewPart::Construction);
     let Some((construction, last)) = chosen_step(&plans, step) else { return drawn };
-    // The velocities are named by their points.
+    // The velocities are named by their points; what the forces are, `acting` says.
     let unit = construction.steps.iter().find(|step| step.kind == VectorKind::Absolute).map(|step| step.unit);
     let forces =
         construction.steps[..=last].iter().filter(|step| step.unit == "N" && step.drawing == Drawing::Lever);
-    let legend = plots::limited(forces.filter_map(|step| key_of_step(step, unit)).collect());
+    let brief = |step: &ConstructionStep| {
+        key_of_step(&ConstructionStep { of: Text::default(), ..step.clone() }, unit)
+    };
+    let legend = plots::limited(forces.filter_map(brief).collect());
     Figure { legend, ..drawn }
 }
 
 /// What the labels of a plan stand for, with the sizes.
 fn keys(part: ViewPart, plan: &VectorPlan) -> Vec<Key> {
     let key = |(label, item): (String, &PlanVector)| {
-        let size = quantity(digits(item.size, 5), item.unit.clone());
+        let size = measured(item.size, 5, item.unit.clone());
         let (ink, label, none) = (ink_of(part, item), name(label), Text::default());
         // An absolute vector is called by its point already, a relative one by its name alone.
         let names = match item.kind {
@@ -143,7 +145,8 @@ pub fn labelled(part: ViewPart, plan: &VectorPlan) -> Vec<(String, &PlanVector)>
 }
 
 /// The polygon of some links in a position, whose vectors have the symbols that they have on the links, where forces and moments from
-/// outside act on these; a part of a force, and the reaction within a group, has the name of the plan.
+/// outside act on these; a part of a force, and the reaction within a group, has the name of the plan. What a symbol stands for,
+/// [`acting`](crate::assembly::acting) says.
 pub fn polygon(results: &Results, position: usize, polygon: usize, links: &[LinkId]) -> Figure {
     let Some(found) = &results.found else { return Figure::default() };
     let plans = found.plans.at(position);
@@ -151,20 +154,11 @@ pub fn polygon(results: &Results, position: usize, polygon: usize, links: &[Link
     let Shown::Plan(plan) = shown(found, &look, ViewPart::Forces, &plans) else { return Figure::default() };
     let acting = arrows::Shown::on_links(results, position, links);
     let acting = acting.as_ref().map_or(&[][..], arrows::Shown::all);
-    let symbol = |item: &PlanVector| {
-        let vector = [item.end[0] - item.start[0], item.end[1] - item.start[1]];
-        let apart = |own: &&arrows::Arrow| length([own.vector, vector]) <= SAME * item.size;
-        let is_outer = item.kind != VectorKind::Inner;
-        let forces = acting.iter().filter(|own| is_outer && own.kind == arrows::Kind::Force);
-        let same = forces.filter(apart).min_by_key(|own| own.told != item.name);
-        same.map_or_else(|| item.name.clone(), |own| own.name.clone())
-    };
-    let all = labelled(ViewPart::Forces, plan);
-    let named: Vec<(Text, &PlanVector)> = all.into_iter().map(|(_, item)| (symbol(item), item)).collect();
+    let named = named(results, plan, acting);
     let key = |(symbol, item): &(Text, &PlanVector)| {
-        let size = quantity(digits(item.size, 5), item.unit.clone());
-        let told = if *symbol == item.name { Text::default() } else { item.name.clone() };
-        let told = if item.kind == VectorKind::Reaction { Text::default() } else { told };
+        let size = measured(item.size, 5, item.unit.clone());
+        let is_part = same(acting, item).is_some_and(|own| own.told.is_empty());
+        let told = if is_part { item.name.clone() } else { Text::default() };
         let ink = ink_of(ViewPart::Forces, item);
         let stroke = if ink == Ink::Trace { Stroke::Dotted } else { Stroke::Solid };
         plots::key([symbol, &told], size, None, (stroke, ink))
@@ -172,11 +166,64 @@ pub fn polygon(results: &Results, position: usize, polygon: usize, links: &[Link
     let mut legend: Vec<Key> = named.iter().map(key).collect();
     let moments = acting.iter().filter(|own| own.kind == arrows::Kind::Moment);
     legend.extend(moments.map(|own| {
-        let size = quantity(digits(own.vector[0], 5), "N m");
-        plots::key([&own.name, &own.told], size, None, own.style)
+        let size = measured(own.vector[0], 5, "N m");
+        plots::key([&own.name, &Text::default()], size, None, own.style)
     }));
     let panel = panel_of(ViewPart::Forces, plan, &named);
     Figure { title: plan.title.clone(), legend: plots::limited(legend), ..Figure::of(panel) }
+}
+
+/// The links of each polygon: those of the groups from the last to the first, then the input links.
+pub fn bodies(results: &Results) -> Vec<Vec<LinkId>> {
+    let (mechanism, structure) = (&results.linkage.mechanism, &results.linkage.structure);
+    let groups = structure.groups.iter().rev().map(|group| group.frame.links.clone());
+    groups.chain(mechanism.input.placed().map(|input| vec![input])).collect()
+}
+
+/// The vectors of the polygon of some links, with the symbols of [`polygon`].
+pub fn vectors(
+    results: &Results,
+    position: usize,
+    polygon: usize,
+    links: &[LinkId],
+) -> Vec<(Text, PlanVector)> {
+    let Some(found) = &results.found else { return Vec::new() };
+    let plans = found.plans.at(position);
+    let look = Look { position, polygon, ..Look::default() };
+    let Shown::Plan(plan) = shown(found, &look, ViewPart::Forces, &plans) else { return Vec::new() };
+    let acting = arrows::Shown::on_links(results, position, links);
+    let acting = acting.as_ref().map_or(&[][..], arrows::Shown::all);
+    named(results, plan, acting).into_iter().map(|(symbol, item)| (symbol, item.clone())).collect()
+}
+
+/// The vectors of a plan of forces with their symbols.
+fn named<'a>(
+    results: &Results,
+    plan: &'a VectorPlan,
+    acting: &[arrows::Arrow],
+) -> Vec<(Text, &'a PlanVector)> {
+    let symbol =
+        |item| same(acting, item).map_or_else(|| inner_symbol(results, item), |own| own.name.clone());
+    let all = labelled(ViewPart::Forces, plan);
+    all.into_iter().map(|(_, item)| (symbol(item), item)).collect()
+}
+
+/// The force on the links that a vector of their polygon is.
+fn same<'a>(acting: &'a [arrows::Arrow], item: &PlanVector) -> Option<&'a arrows::Arrow> {
+    let vector = [item.end[0] - item.start[0], item.end[1] - item.start[1]];
+    let apart = |own: &&arrows::Arrow| length([own.vector, vector]) <= SAME * item.size;
+    let is_outer = item.kind != VectorKind::Inner;
+    let forces = acting.iter().filter(|own| is_outer && own.kind == arrows::Kind::Force);
+    forces.filter(apart).min_by_key(|own| own.told != item.name)
+}
+
+/// The symbol of a reaction within a group; what is none keeps its name.
+fn inner_symbol(results: &Results, item: &PlanVector) -> Text {
+    let mechanism = &results.linkage.mechanism;
+    let names = mechanism.slides.iter().map(|slide| &slide.name);
+    let mut names = names.chain(mechanism.points.iter().map(|point| &point.name));
+    let found = names.find(|pair| item.name == joined("", [name("R("), (*pair).into(), name(")")]));
+    found.map_or_else(|| item.name.clone(), |pair| joined("", [name("R_{"), pair.into(), name("}")]))
 }
 
 pub(crate) fn panel_of_plan(part: ViewPart, plan: &VectorPlan) -> Panel {
@@ -313,10 +360,10 @@ fn key_of_step(step: &ConstructionStep, arm_in: Option<&'static str>) -> Option<
     let arm = arm_in.filter(|_| step.unit == "N").map(|unit| {
         let arm = cross(step.start, step.vector).abs() / size;
         let is_rounding = arm <= LEAST * length([[0.0; 2], step.start]);
-        let arm = digits(if is_rounding { 0.0 } else { arm }, 5);
-        joined(" = ", [name("h"), quantity(arm, unit)])
+        let arm = if is_rounding { 0.0 } else { arm };
+        joined(" = ", [name("h"), measured(arm, 5, unit)])
     });
-    let size = quantity(digits(size, 5), step.unit);
+    let size = measured(size, 5, step.unit);
     Some(plots::key([&step.name, &step.of], size, arm, (Stroke::Solid, ink(step.kind))))
 }
 

@@ -2,12 +2,11 @@
 //! (E fig. 1), and the disc that stands for the machine (D fig. 3.17).
 
 use assur_diagram::velocity_plan;
-use assur_figure::number::digits;
 use assur_figure::{Bounds, Ink, Item, Panel, Point, Scale, Sign, Stroke};
 use assur_force::LoadState;
 use assur_kinematics::Position;
 use assur_mechanism::{InputPair, PointId, ReductionPoint};
-use assur_words::{Text, name, quantity, text};
+use assur_words::{Text, measured, name, text};
 
 use crate::{Found, Look, Results, ViewPart, mechanism, plans, plots};
 
@@ -89,8 +88,8 @@ impl Reduced {
             Item::name(self.tip, self.name.clone(), Ink::Title),
         ];
         items.extend((length != 0.0).then(|| Item::name(to, name("F"), Ink::Title)));
-        let force = quantity(digits(self.moment / self.radius, 5), "N");
-        let mass = quantity(digits(self.inertia / (self.radius * self.radius), 5), "kg");
+        let force = measured(self.moment / self.radius, 5, "N");
+        let mass = measured(self.inertia / (self.radius * self.radius), 5, "kg");
         self.panel(text!("regime-reduced", point = &self.name, force = force, mass = mass), items)
     }
 
@@ -107,8 +106,8 @@ impl Reduced {
             items.extend(arc);
             items.push(Item::name(middle, name("M"), Ink::Title));
         }
-        let moment = quantity(digits(self.moment, 5), "N m");
-        let inertia = quantity(digits(self.inertia, 5), "kg m2");
+        let moment = measured(self.moment, 5, "N m");
+        let inertia = measured(self.inertia, 5, "kg m2");
         self.panel(text!("reduction-model", moment = moment, inertia = inertia), items)
     }
 }

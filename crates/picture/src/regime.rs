@@ -5,13 +5,13 @@ use assur_analysis::results::{
     Column, Dynamics, EnergyMass, Owner, Quantity, RegimeOverCycle, RegimeState, Table, Trial,
 };
 use assur_book::{Course, Jump, Unit};
-use assur_figure::number::{digits, plain};
+use assur_figure::number::plain;
 use assur_figure::{
     Axis, AxisKind, Bounds, Figure, Frame, Ink, Item, Key, Panel, Point, Sample, Sign, Stroke,
 };
 use assur_kinematics::Linkage;
 use assur_mechanism::CoordinateKind;
-use assur_words::{Text, joined, list, name, number, quantity, text, unit};
+use assur_words::{Text, joined, list, measured, name, number, text, unit};
 
 use crate::{Found, Look, Results, ViewPart, coordinate_at, coordinate_unit, places, plots, reduction};
 
@@ -106,7 +106,7 @@ pub(crate) fn moments(found: &Found, regime: &RegimeOverCycle, look: &Look<'_>) 
         }
         let middle = Bounds::around(outline.iter().copied()).center();
         panel.items.insert(0, Item::Area { outline, ink: Ink::Trace });
-        let told = text!("regime-excess-area", work = quantity(digits(work, 6), "J"));
+        let told = text!("regime-excess-area", work = measured(work, 6, "J"));
         panel.items.push(Item::name(middle, told, Ink::Title));
     }
     panel

@@ -2,7 +2,7 @@
 
 use assur_analysis::results::{Column, Owner, Schema};
 use assur_book::{Course, Unit, catalogue};
-use assur_words::{Text, joined, list, quantity, unit};
+use assur_words::{Text, exact, joined, list, name, unit};
 
 use assur_figure::number::number;
 
@@ -49,13 +49,20 @@ impl Series {
 
     /// Value and unit at a position.
     pub fn show(&self, position: usize) -> Text {
-        quantity(self.bare(position), self.unit.name)
+        let (number, symbol) = (self.number_told(position), self.unit.name);
+        if symbol.is_empty() { number } else { joined(" ", [number, unit(symbol)]) }
     }
 
     /// Value at a position without its unit; 0 if it is rounding compared with the greatest value.
     pub fn bare(&self, position: usize) -> String {
         let value = self.at(position);
         if value.abs() <= self.least() { "0".to_owned() } else { number(value) }
+    }
+
+    /// The same for a reader, whose language may have digits of its own.
+    pub fn number_told(&self, position: usize) -> Text {
+        let value = self.at(position);
+        if value.abs() <= self.least() { name("0") } else { exact(value, number(value)) }
     }
 
     /// The greatest size that counts as zero, in the unit that is shown.

@@ -35,6 +35,15 @@ sheet-letter = Letter
 sheet-mass = Mass
 sheet-scale = Scale
 sheet-loaded = Loads and reactions of { $of }: { $place }
+sheet-position = position { $position }
+sheet-instant = instant { $instant }, { $time }
+sheet-links = { $count ->
+    [one] link
+   *[other] links
+} { $links }
+sheet-polygon = Force polygon of { $of }: { $place }
+sheet-symbols = Symbols
+sheet-letter-of-study = S
 sheet-field-mechanism = mechanism
 sheet-field-diagrams = diagrams
 sheet-field-velocities = plans of velocities

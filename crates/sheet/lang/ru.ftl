@@ -35,6 +35,15 @@ sheet-letter = Лит.
 sheet-mass = Масса
 sheet-scale = Масштаб
 sheet-loaded = Нагрузки и реакции, { $of }: { $place }
+sheet-position = положение { $position }
+sheet-instant = момент { $instant }, { $time }
+sheet-links = { $count ->
+    [one] звено
+   *[other] звенья
+} { $links }
+sheet-polygon = План сил, { $of }: { $place }
+sheet-symbols = Обозначения сил и моментов
+sheet-letter-of-study = У
 sheet-field-mechanism = механизм
 sheet-field-diagrams = диаграммы
 sheet-field-velocities = планы скоростей

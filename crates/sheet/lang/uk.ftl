@@ -35,6 +35,15 @@ sheet-letter = Літ.
 sheet-mass = Маса
 sheet-scale = Масштаб
 sheet-loaded = Навантаження й реакції, { $of }: { $place }
+sheet-position = положення { $position }
+sheet-instant = момент { $instant }, { $time }
+sheet-links = { $count ->
+    [one] ланка
+   *[other] ланки
+} { $links }
+sheet-polygon = План сил, { $of }: { $place }
+sheet-symbols = Позначення сил і моментів
+sheet-letter-of-study = Н
 sheet-field-mechanism = механізм
 sheet-field-diagrams = діаграми
 sheet-field-velocities = плани швидкостей

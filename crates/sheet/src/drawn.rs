@@ -1,6 +1,9 @@
 //! What a field draws: a figure of pictures, or a table.
 
-use assur_figure::{Anchor, Element, Figure, Frame, Ink, Page, Panel, Style, elements, size, text_width};
+use assur_figure::{
+    Anchor, Element, Figure, Frame, Ink, Page, Panel, Style, elements, heading_width, plane_scale, size,
+    text_width,
+};
 use assur_pdf::text_width as exact_width;
 use assur_scene::SheetField;
 use assur_words::Language;
@@ -14,8 +17,6 @@ const UPRIGHT: f64 = 1.4;
 /// Height of a plot of several below each other beside its width, from flat to high, and least height, mm.
 const FLAT: [f64; 3] = [0.22, 0.34, 0.5];
 const LEAST_PLOT: f64 = 38.0;
-/// Room beside the heading of a plot, in which its factor stands, mm.
-const FACTOR: f64 = 48.0;
 /// Height of a row of a table, and space beside its texts, mm.
 const ROW: f64 = 8.0;
 const BESIDE: f64 = 1.5;
@@ -28,13 +29,20 @@ pub(crate) struct Drawn {
     /// How large it should be beside others, and its least width, mm.
     pub(crate) weight: f64,
     pub(crate) least: f64,
+    /// Whether links have their numbers in it, and not their names.
+    pub(crate) has_numbers: bool,
 }
 
+/// What a field draws.
 #[derive(Debug)]
 pub(crate) enum Content {
     Figure(Figure),
-    /// A heading, and rows of what is told and its value.
-    Table(String, Vec<[String; 2]>),
+    /// A heading, and rows of what is told and its value; whether values stand at the right.
+    Table {
+        title: String,
+        rows: Vec<[String; 2]>,
+        right: bool,
+    },
 }
 
 /// A size in which a field can be drawn, mm, and on which page it has this size; a table has none.
@@ -48,15 +56,13 @@ impl Drawn {
     /// The sizes in which it can be drawn, from the least.
     pub(crate) fn sizes(&self, language: &Language) -> Vec<Size> {
         let figure = match &self.content {
-            Content::Table(title, rows) => return vec![Size { size: table_size(title, rows), page: None }],
+            Content::Table { title, rows, .. } => {
+                return vec![Size { size: table_size(title, rows), page: None }];
+            }
             Content::Figure(figure) => figure,
         };
         let mut sizes: Vec<Size> = Vec::new();
-        // A heading has two lines.
-        let heading = |panel: &Panel| {
-            let factor = if matches!(panel.frame, Frame::Axes { .. }) { FACTOR } else { 0.0 };
-            0.65 * text_width(&panel.title.render(language), Style::SHEET.em) + factor
-        };
+        let heading = |panel: &Panel| heading_width(panel, Style::SHEET, language);
         let headings = figure.panels.iter().map(heading).fold(LEAST, f64::max);
         let mut width = self.least.max(headings);
         while width <= MOST {
@@ -72,6 +78,12 @@ impl Drawn {
         sizes
     }
 
+    /// How many meters of a figure a millimeter stands for.
+    pub(crate) fn scale(&self, size: Size, language: &Language) -> Option<f64> {
+        let Content::Figure(figure) = &self.content else { return None };
+        plane_scale(figure, size.page?, Style::SHEET, language)
+    }
+
     /// What stands on paper in this size, from its upper left corner.
     pub(crate) fn elements(&self, size: Size, language: &Language) -> Vec<Element> {
         match (&self.content, size.page) {
@@ -80,7 +92,7 @@ impl Drawn {
                 let left = sides(&all, 0.0)[0];
                 all.into_iter().map(|element| element.moved([-left, 0.0])).collect()
             }
-            (Content::Table(title, rows), _) => table(title, rows, size.size),
+            (Content::Table { title, rows, right }, _) => table(title, rows, *right, size.size),
             (Content::Figure(_), None) => Vec::new(),
         }
     }
@@ -132,7 +144,7 @@ fn table_size(title: &str, rows: &[[String; 2]]) -> [f64; 2] {
     [width, ROW * (rows.len() + 1) as f64]
 }
 
-fn table(title: &str, rows: &[[String; 2]], [width, height]: [f64; 2]) -> Vec<Element> {
+fn table(title: &str, rows: &[[String; 2]], right: bool, [width, height]: [f64; 2]) -> Vec<Element> {
     let style = Style::SHEET;
     let base = |row: usize| ROW * (row + 1) as f64 - 0.5 * (ROW - 0.73 * style.em);
     let text = |at, words: &str, anchor| Element::text(at, words, style.em, anchor, Ink::Text);
@@ -140,7 +152,9 @@ fn table(title: &str, rows: &[[String; 2]], [width, height]: [f64; 2]) -> Vec<El
     let middle = width - columns(rows)[1];
     for (row, [told, value]) in rows.iter().enumerate() {
         all.push(text([BESIDE, base(row + 1)], told, Anchor::Start));
-        all.push(text([width - BESIDE, base(row + 1)], value, Anchor::End));
+        let (x, anchor) =
+            if right { (width - BESIDE, Anchor::End) } else { (middle + BESIDE, Anchor::Start) };
+        all.push(text([x, base(row + 1)], value, anchor));
         let under = ROW * (row + 1) as f64;
         all.push(Element::line(
             [[0.0, under], [width, under]],

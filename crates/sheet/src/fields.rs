@@ -1,11 +1,13 @@
 //! The fields of a sheet: pictures of the results.
 
+use assur_book::Fact;
 use assur_figure::{Figure, Item, Panel};
+use assur_mechanism::LinkId;
 use assur_picture::paper::on_paper;
 use assur_picture::{Found, Look, Results, ViewPart, assembly, curves, motion, plans, regime};
 use assur_report::topic;
 use assur_scene::{Note, SheetField, SheetPositions};
-use assur_words::{Language, Text, joined, list, text};
+use assur_words::{Language, Text, joined, list, number, text};
 
 use crate::drawn::{Content, Drawn, titled};
 use crate::wanted;
@@ -16,15 +18,18 @@ pub(crate) struct Source<'a> {
     pub(crate) found: &'a Found,
     pub(crate) note: &'a Note,
     pub(crate) language: &'a Language,
+    /// The same with the numbers of links.
+    pub(crate) numbered: &'a Language,
     /// The positions of plans and polygons, at least one.
     pub(crate) plans: Vec<usize>,
 }
 
 /// Least widths, mm, and weights: of the mechanism, of plots, of a plan, of a panel of the structure.
-const MECHANISM: (f64, f64) = (150.0, 4.0);
-const PLOTS: (f64, f64) = (120.0, 2.5);
-const PLAN: (f64, f64) = (70.0, 1.0);
-const STRUCTURE: (f64, f64) = (120.0, 2.0);
+const MECHANISM: (f64, f64) = (140.0, 4.0);
+const PLOTS: (f64, f64) = (100.0, 2.5);
+const PLAN: (f64, f64) = (75.0, 1.0);
+const LEVER: (f64, f64) = (100.0, 2.0);
+const STRUCTURE: (f64, f64) = (110.0, 2.0);
 
 impl Source<'_> {
     /// The blocks of all fields that are wanted, in their order.
@@ -53,7 +58,7 @@ impl Source<'_> {
                     let figure = plans::lever(results, &look(*position));
                     titled_first(figure, self.at("sheet-lever", *position))
                 };
-                Self::figures(field, PLAN, self.plans.iter().map(lever).collect::<Vec<_>>())
+                Self::figures(field, LEVER, self.plans.iter().map(lever).collect::<Vec<_>>())
             }
             SheetField::Dynamics => self.dynamics(&first),
             SheetField::Results => vec![self.table()],
@@ -61,7 +66,15 @@ impl Source<'_> {
     }
 
     fn at(&self, id: &'static str, position: usize) -> Text {
-        Text::message(id, vec![("place", self.results.place(position))])
+        Text::message(id, vec![("place", self.place(position))])
+    }
+
+    /// Where a position is, without its coordinate: the numbers of positions stand at the mechanism.
+    fn place(&self, position: usize) -> Text {
+        match self.results.time(position) {
+            Some(time) => text!("sheet-instant", instant = number(position), time),
+            None => text!("sheet-position", position = number(position)),
+        }
     }
 
     /// What there is of these figures.
@@ -70,7 +83,12 @@ impl Source<'_> {
         (least, weight): (f64, f64),
         all: impl IntoIterator<Item = Figure>,
     ) -> Vec<Drawn> {
-        let drawn = |figure| Drawn { field, content: Content::Figure(on_paper(figure)), weight, least };
+        let has_numbers =
+            !matches!(field, SheetField::Mechanism | SheetField::Diagrams | SheetField::Dynamics);
+        let drawn = |figure| {
+            let content = Content::Figure(on_paper(figure));
+            Drawn { field, content, weight, least, has_numbers }
+        };
         all.into_iter().filter(|figure| !figure.panels.is_empty()).map(drawn).collect()
     }
 
@@ -97,31 +115,56 @@ impl Source<'_> {
 
     /// Of each position the groups with what acts on them and their polygons, from the last to the first, the input link as the last.
     fn forces(&self) -> Vec<Drawn> {
-        let linkage = &self.results.linkage;
-        let (mechanism, structure) = (&linkage.mechanism, &linkage.structure);
-        let groups = structure.groups.iter().enumerate().rev();
-        let groups = groups.map(|(index, group)| {
-            (structure.group_name(mechanism, index).short(), group.frame.links.clone())
-        });
-        let inputs = mechanism.input.placed();
-        let inputs = inputs.map(|input| (Text::from(&mechanism.links[input].name), vec![input]));
-        let bodies: Vec<_> = groups.chain(inputs).collect();
+        let (mechanism, bodies) = (&self.results.linkage.mechanism, plans::bodies(self.results));
+        let named = |links: &[LinkId]| {
+            let names = list(links.iter().map(|link| Text::from(&mechanism.links[*link].name)));
+            text!("sheet-links", count = links.len(), links = names)
+        };
         let mut all = Vec::new();
         for &position in &self.plans {
             let plans = self.found.plans.at(position);
             let Ok(sheet) = &plans.sheet else { continue };
-            for (polygon, (plan, (of, links))) in sheet.polygons.iter().zip(&bodies).enumerate() {
+            for (polygon, links) in bodies.iter().enumerate().take(sheet.polygons.len()) {
                 let drawn = plans::polygon(self.results, position, polygon, links);
                 if drawn.panels.is_empty() {
                     continue;
                 }
-                let place = || self.results.place(position);
                 let loaded = assembly::loaded(self.results, position, links);
-                all.push(titled_first(loaded, text!("sheet-loaded", of = of, place = place())));
-                all.push(titled_first(drawn, list([plan.title.clone(), place()])));
+                let [of, place] = [named(links), self.place(position)];
+                all.push(titled_first(loaded, text!("sheet-loaded", of = &of, place = &place)));
+                all.push(titled_first(drawn, text!("sheet-polygon", of, place)));
             }
         }
-        Self::figures(SheetField::Forces, PLAN, all)
+        let all = Self::figures(SheetField::Forces, PLAN, all);
+        let symbols = self.symbols(&bodies).filter(|_| !all.is_empty());
+        symbols.into_iter().chain(all).collect()
+    }
+
+    /// What the symbols of loads and reactions stand for, once for all positions.
+    fn symbols(&self, bodies: &[Vec<LinkId>]) -> Option<Drawn> {
+        let mut all: Vec<[Text; 2]> = Vec::new();
+        let links = bodies.iter().rev();
+        for own in links.flat_map(|links| assembly::acting(self.results, self.plans[0], links)) {
+            if all.iter().all(|[symbol, _]| *symbol != own[0]) {
+                all.push(own);
+            }
+        }
+        let rows =
+            all.iter().map(|[symbol, told]| [symbol.render(self.numbered), told.render(self.language)]);
+        let title = text!("sheet-symbols").render(self.language);
+        (!all.is_empty()).then(|| Self::table_of(SheetField::Forces, title, rows.collect()))
+    }
+
+    fn table_of(field: SheetField, title: String, rows: Vec<[String; 2]>) -> Drawn {
+        // Numbers stand at the right, words at the left.
+        let right = field == SheetField::Results;
+        Drawn {
+            field,
+            content: Content::Table { title, rows, right },
+            weight: 1.0,
+            least: 0.0,
+            has_numbers: true,
+        }
     }
 
     fn dynamics(&self, look: &Look<'_>) -> Vec<Drawn> {
@@ -147,12 +190,11 @@ impl Source<'_> {
         /// Rows that a sheet has.
         const MOST: usize = 24;
         let facts = topic::summary(&self.found.analysis, &self.results.linkage);
-        let line = |text: &Text| text.render(self.language).replace('`', "").replace("->", "→");
-        let rows: Vec<_> =
-            facts.iter().map(|fact| [line(&fact.what()), line(&fact.with_unit())]).take(MOST).collect();
-        let title = line(&text!("sheet-results"));
-        let content = Content::Table(title, rows);
-        Drawn { field: SheetField::Results, content, weight: 1.0, least: 0.0 }
+        let line = |text: &Text, language: &Language| text.render(language).replace('`', "");
+        // The formula of the structure has the numbers of the links.
+        let row = |fact: &Fact| [line(&fact.what(), self.language), line(&fact.with_unit(), self.numbered)];
+        let rows = facts.iter().map(row).take(MOST).collect();
+        Self::table_of(SheetField::Results, text!("sheet-results").render(self.language), rows)
     }
 }
 

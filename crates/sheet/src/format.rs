@@ -44,9 +44,9 @@ impl Standard {
     }
 }
 
-/// The formats from the smallest.
-pub(crate) const FORMATS: [SheetFormat; 5] =
-    [SheetFormat::A4, SheetFormat::A3, SheetFormat::A2, SheetFormat::A1, SheetFormat::A0];
+/// The usual formats from the smallest: two sheets of A1 rather than one of A0, which a school has no board for.
+pub(crate) const USUAL: [SheetFormat; 4] =
+    [SheetFormat::A4, SheetFormat::A3, SheetFormat::A2, SheetFormat::A1];
 
 /// Width and height of a format, mm: the smallest one stands upright.
 pub(crate) fn size(format: SheetFormat) -> [f64; 2] {

@@ -61,16 +61,24 @@ fn grown(blocks: &[Block], frame: Area, title: Area, way: Way) -> Option<Vec<Pla
     let size = |levels: &[usize], at: usize| -> f64 {
         blocks[at].sizes[levels[at]].iter().product::<f64>() / blocks[at].weight
     };
+    let mut has_grown = false;
     loop {
         for (at, open) in open.iter_mut().enumerate() {
             *open &= levels[at] + 1 < blocks[at].sizes.len();
         }
         let candidates = (0..blocks.len()).filter(|at| open[*at]);
         let least = candidates.min_by(|one, other| size(&levels, *one).total_cmp(&size(&levels, *other)));
-        let Some(at) = least else { return Some(best) };
+        let Some(at) = least else {
+            // What had no room may have some where others came to stand elsewhere.
+            if !std::mem::take(&mut has_grown) {
+                return Some(best);
+            }
+            open.fill(true);
+            continue;
+        };
         levels[at] += 1;
         if let Some(placed) = places(blocks, &levels, frame, title, way) {
-            best = placed;
+            (best, has_grown) = (placed, true);
         } else {
             levels[at] -= 1;
             open[at] = false;

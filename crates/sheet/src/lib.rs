@@ -10,15 +10,15 @@ mod layout;
 pub mod preview;
 mod title;
 
-use assur_figure::{Element, Form as Outline, dxf, svg};
-use assur_picture::Results;
+use assur_figure::{Element, Form as Outline, Ink, dxf, svg};
+use assur_picture::{Results, mechanism::numbers};
 use assur_scene::{Note, SHEET_FIELDS, SheetField, SheetFormat};
 use assur_words::{Language, Text, text};
 
 use drawn::{Drawn, Size};
 use fields::Source;
 pub use format::Area;
-use format::{FORMATS, Standard};
+use format::{Standard, USUAL};
 use layout::{Block, Placed};
 use title::Filling;
 
@@ -128,11 +128,13 @@ pub fn sheet(results: &Results, note: &Note, language: &Language) -> Result<Vec<
     let language = &language.with_digits(note.digits);
     let found = results.found.as_deref().ok_or_else(|| text!("sheet-no-results"))?;
     let wanted = if note.sheet.plans.is_empty() { &note.positions } else { &note.sheet.plans };
-    let drawn = Source { results, found, note, language, plans: results.chosen(wanted) }.blocks();
+    let numbered = &language.with_marks(numbers(&results.linkage.mechanism));
+    let drawn = Source { results, found, note, language, numbered, plans: results.chosen(wanted) }.blocks();
     if drawn.is_empty() {
         return Err(text!("sheet-nothing"));
     }
-    let sizes: Vec<Vec<Size>> = drawn.iter().map(|own| own.sizes(language)).collect();
+    let words = |own: &Drawn| if own.has_numbers { numbered } else { language };
+    let sizes: Vec<Vec<Size>> = drawn.iter().map(|own| own.sizes(words(own))).collect();
     let block = |(own, sizes): (&Drawn, &Vec<Size>)| Block {
         sizes: sizes.iter().map(|own| own.size).collect(),
         weight: own.weight,
@@ -143,24 +145,28 @@ pub fn sheet(results: &Results, note: &Note, language: &Language) -> Result<Vec<
         let frame = standard.frame(format::size(*format));
         layout::fitting(&blocks, frame, standard.title(frame)) == blocks.len()
     };
-    // What no format holds goes on sheets of the format of schools.
-    let format = note.sheet.format.or_else(|| FORMATS.into_iter().find(fits)).unwrap_or(SheetFormat::A1);
+    // What no usual format holds goes on several sheets of the greatest of them.
+    let format = note.sheet.format.or_else(|| USUAL.into_iter().find(fits)).unwrap_or(SheetFormat::A1);
     let frame = standard.frame(format::size(format));
     let areas = [frame, standard.title(frame)];
     let sheets = divided(&blocks, areas)?;
     let count = sheets.len();
     let title = Text::from(&results.linkage.mechanism.title).render(language);
     let title = title.as_str();
-    let page =
-        |(number, (first, placed)): (usize, &(usize, Vec<Placed>))| {
-            let filling = Filling { title, note, language, sheet: [number + 1, count] };
-            let elements = title::elements(standard, format::size(format), &filling);
-            let mut parts = vec![Part { field: None, elements }];
-            parts.extend(placed.iter().enumerate().map(|(at, own)| {
-                part(&drawn[first + at], sizes[first + at][own.level], own.corner, language)
-            }));
-            Page { format, size: format::size(format), frame: areas, parts }
-        };
+    let page = |(number, (first, placed)): (usize, &(usize, Vec<Placed>))| {
+        let own = |at: usize| (&drawn[first + at], sizes[first + at][placed[at].level]);
+        let scale = (0..placed.len()).map(own).find(|(drawn, _)| drawn.field == SheetField::Mechanism);
+        let scale = scale.and_then(|(drawn, size)| drawn.scale(size, language));
+        let mass = results.linkage.mechanism.links.iter().skip(1).map(|link| link.mass).sum();
+        let filling = Filling { title, note, language, sheet: [number + 1, count], mass, scale };
+        let elements = title::elements(standard, format::size(format), &filling);
+        let mut parts = vec![Part { field: None, elements }];
+        parts.extend(placed.iter().enumerate().map(|(at, placed)| {
+            let (drawn, size) = own(at);
+            part(drawn, size, placed.corner, words(drawn))
+        }));
+        Page { format, size: format::size(format), frame: areas, parts }
+    };
     Ok(sheets.iter().enumerate().map(page).collect())
 }
 
@@ -170,19 +176,43 @@ fn part(drawn: &Drawn, size: Size, corner: [f64; 2], language: &Language) -> Par
     Part { field: Some(drawn.field), elements: elements.map(placed).collect() }
 }
 
-/// A text with the signs of print.
+/// A text with the signs and in the ink of print.
 fn printed(mut element: Element) -> Element {
     if let Outline::Text { words, .. } = &mut element.form {
         *words = words.replace("->", "→");
+        element.ink = if element.ink == Ink::Dim { Ink::Text } else { element.ink };
     }
     element
 }
 
-/// The blocks in so many sheets as they need, each with the number of its first block.
+/// The blocks in so many sheets as they need, about equally many on each, with the number of the first block of each.
 fn divided(blocks: &[Block], [frame, title]: [Area; 2]) -> Result<Vec<(usize, Vec<Placed>)>, Text> {
+    /// By how much a sheet may have more than its share, tried in this order.
+    const MORE: [f64; 6] = [1.0, 1.05, 1.1, 1.2, 1.35, 1.6];
+    let least = |block: &Block| block.sizes[0].iter().product::<f64>();
+    let all: f64 = blocks.iter().map(least).sum();
+    let counts = |most: f64| {
+        let (mut counts, mut first) = (Vec::new(), 0);
+        while first < blocks.len() {
+            let mut area = 0.0;
+            let within = blocks[first..].iter().take_while(|block| {
+                area += least(block);
+                area <= most
+            });
+            let own = within.count().max(1);
+            counts.push(layout::fitting(&blocks[first..first + own], frame, title));
+            if counts.last() == Some(&0) {
+                break;
+            }
+            first += counts.last().unwrap_or(&1);
+        }
+        counts
+    };
+    let needed = counts(f64::INFINITY);
+    let share = all / needed.len() as f64;
+    let even = MORE.into_iter().map(|more| counts(more * share)).find(|own| own.len() <= needed.len());
     let (mut sheets, mut first) = (Vec::new(), 0);
-    while first < blocks.len() {
-        let count = layout::fitting(&blocks[first..], frame, title);
+    for count in even.unwrap_or(needed) {
         let placed = layout::arrange(&blocks[first..first + count], frame, title);
         let placed = placed.filter(|placed| !placed.is_empty()).ok_or_else(|| text!("sheet-too-small"))?;
         sheets.push((first, placed));

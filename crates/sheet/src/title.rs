@@ -3,7 +3,7 @@
 use assur_figure::{Anchor, Element, Ink, Style};
 use assur_pdf::text_width;
 use assur_scene::Note;
-use assur_words::{Language, Text, text};
+use assur_words::{Language, Text, measured, text};
 
 use crate::format::{Area, Standard};
 
@@ -19,6 +19,10 @@ pub(crate) struct Filling<'a> {
     pub(crate) language: &'a Language,
     /// Number of the sheet, from 1, and of all.
     pub(crate) sheet: [usize; 2],
+    /// Mass of the links, kg.
+    pub(crate) mass: f64,
+    /// How many meters of the mechanism a millimeter of its field stands for, where this sheet has it.
+    pub(crate) scale: Option<f64>,
 }
 
 /// The edge of the sheet, its frame and the title block.
@@ -208,6 +212,7 @@ fn gost(block: &mut Block, filling: &Filling<'_>) {
     let large = Style::SHEET.em;
     block.cell([65.0, 0.0, 185.0, 15.0], &of(&note.sheet.number), 1.4 * large, Anchor::Middle);
     block.cell([65.0, 15.0, 135.0, 40.0], filling.title, large, Anchor::Middle);
+    block.cell([65.0, 40.0, 135.0, 55.0], &told(text!("sheet-drawing")), large, Anchor::Middle);
     let heads = [
         ([135.0, 15.0, 150.0, 20.0], text!("sheet-letter")),
         ([150.0, 15.0, 167.0, 20.0], text!("sheet-mass")),
@@ -216,11 +221,24 @@ fn gost(block: &mut Block, filling: &Filling<'_>) {
     for (area, head) in heads {
         block.cell(area, &told(head), SMALL, Anchor::Middle);
     }
+    block.cell([135.0, 20.0, 140.0, 35.0], &told(text!("sheet-letter-of-study")), large, Anchor::Middle);
+    let none = || "–".to_owned();
+    let mass = if filling.mass > 0.0 { told(measured(filling.mass, 4, "")) } else { none() };
+    block.cell([150.0, 20.0, 167.0, 35.0], &mass, large, Anchor::Middle);
+    let scale = filling.scale.map_or_else(none, |scale| ratio(scale, language));
+    block.cell([167.0, 20.0, 185.0, 35.0], &scale, large, Anchor::Middle);
     let [sheet, sheets] = filling.sheet;
     let number = |what: Text, number: usize| format!("{} {number}", told(what));
     block.cell([135.0, 35.0, 155.0, 40.0], &number(text!("sheet-sheet"), sheet), SMALL, Anchor::Start);
     block.cell([155.0, 35.0, 185.0, 40.0], &number(text!("sheet-sheets"), sheets), SMALL, Anchor::Start);
     block.cell([135.0, 40.0, 185.0, 55.0], &owner(note, language), large, Anchor::Middle);
+}
+
+/// `1:2.5`, `2:1`: a length on the sheet to the true one, where a millimeter stands for so many meters.
+fn ratio(scale: f64, language: &Language) -> String {
+    let times = |value: f64| measured(value, 4, "").render(language);
+    let smaller = 1e3 * scale;
+    if smaller >= 1.0 { format!("1:{}", times(smaller)) } else { format!("{}:1", times(1.0 / smaller)) }
 }
 
 /// The university, or the department, and the group of the author.

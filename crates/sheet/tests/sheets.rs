@@ -2,39 +2,22 @@
 
 #![expect(clippy::unwrap_used, reason = "a test fails where something is missing")]
 
-use std::sync::Arc;
+mod common;
 
-use assur_all as _;
-use assur_analysis::{Calculation, Options, plan, unwatched};
 use assur_figure::Form as Outline;
-use assur_kinematics::{Linkage, decompose};
-use assur_picture::{Found, Results};
-use assur_sheet::{Form, Page, sheet};
-use assur_words::Language;
+use assur_sheet::{Form, Page};
+use common::{SCENES, results_and_pages, texts};
 
-const SCENES: [&str; 5] = ["shaper-drive", "press", "shaper-friction", "triad", "brake"];
-
-fn pages(scene: &str, language: &str) -> Vec<Page> {
-    let text = assur_fixtures::scene(scene);
-    let (mechanism, note) = assur_scene::read_with_note(scene, text).unwrap();
-    let structure = decompose(&mechanism).unwrap();
-    let all = vec![true; structure.groups.len()];
-    let options = Options::default();
-    let plan = plan(&mechanism, &structure, &options);
-    let linkage = Arc::new(Linkage::compile_for(mechanism, structure, &all).unwrap());
-    let calculation =
-        Calculation::planned(Arc::clone(&linkage), plan, None, &options, &mut unwatched).unwrap();
-    let found = Found::of(calculation, Arc::clone(&linkage), &options, &mut unwatched).unwrap();
-    let mut results = Results::of(linkage).unwrap();
-    results.take(Box::new(found));
-    sheet(&results, &note, Language::find(language).unwrap()).unwrap()
+fn pages<const N: usize>(scene: &str, languages: [&str; N]) -> [Vec<Page>; N] {
+    results_and_pages(scene, languages).1
 }
 
 #[test]
 fn fields_have_paper_of_their_own_and_cover_most_of_it() {
     for scene in SCENES {
-        for language in ["en", "uk", "ru"] {
-            for (number, page) in pages(scene, language).iter().enumerate() {
+        let languages = ["en", "uk", "ru"];
+        for (language, pages) in languages.into_iter().zip(pages(scene, languages)) {
+            for (number, page) in pages.iter().enumerate() {
                 let place = format!("{scene} {language} {number} {:?}", page.format);
                 if let Ok(folder) = std::env::var("SHEETS") {
                     let pdf = Form::Pdf.write(scene, std::slice::from_ref(page)).unwrap().remove(0);
@@ -65,11 +48,21 @@ fn fields_have_paper_of_their_own_and_cover_most_of_it() {
 #[test]
 fn texts_are_large_enough_and_lines_have_three_widths() {
     for scene in SCENES {
-        for element in pages(scene, "uk").iter().flat_map(Page::elements) {
+        for element in pages(scene, ["uk"]).iter().flatten().flat_map(Page::elements) {
             match element.form {
                 Outline::Text { size, .. } => assert!(size >= 3.5, "{scene}: {element:?}"),
                 _ => assert!([0.2, 0.4, 0.8].contains(&element.width), "{scene}: {element:?}"),
             }
+        }
+    }
+}
+
+#[test]
+fn no_text_is_cut_off() {
+    for scene in SCENES {
+        for part in pages(scene, ["en", "uk", "ru"]).iter().flatten().flat_map(|page| &page.parts) {
+            let cut: Vec<_> = texts(part).into_iter().filter(|text| text.ends_with('…')).collect();
+            assert!(cut.is_empty(), "{scene} {:?}: {cut:?}", part.field);
         }
     }
 }

@@ -30,5 +30,5 @@ structure-alike = точки `{ $one }` и `{ $other }` есть каждая л
 structure-slide-angles = угол пары `{ $slide }` расходится на { $off } с тем, чего требуют другие направляющие, и ни одно положение не подходит всем; звену, ось x которого не лежит вдоль направляющей, нужен `tilt`, здесь `tilt = "{ $tilt }"`
 structure-slide-on-pinned = в поступательной паре `{ $slide }` двигаться нечему: те же два звена соединяет шарнир `{ $pin }`
 structure-alone = имя точки, употреблённое в двух звеньях, образует там шарнир; только в одном звене есть точки { $points }
-structure-passive-link = звено { $link }
-structure-passive-pair = пара { $pair } звена { $link }
+structure-passive-link = звено «{ $link }»
+structure-passive-pair = пара { $pair } звена «{ $link }»

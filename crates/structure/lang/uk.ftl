@@ -30,5 +30,5 @@ structure-alike = точки `{ $one }` і `{ $other }` є кожна лише �
 structure-slide-angles = кут пари `{ $slide }` розходиться на { $off } з тим, чого вимагають інші напрямні, тож жодне положення не задовольняє всіх; ланці, вісь x якої не лежить уздовж напрямної, потрібен `tilt`, тут `tilt = "{ $tilt }"`
 structure-slide-on-pinned = у поступальній парі `{ $slide }` рухатися нема чому: ті самі дві ланки з’єднує шарнір `{ $pin }`
 structure-alone = ім’я точки, ужите у двох ланках, утворює там шарнір; лише в одній ланці є точки { $points }
-structure-passive-link = ланка { $link }
-structure-passive-pair = пара { $pair } ланки { $link }
+structure-passive-link = ланка «{ $link }»
+structure-passive-pair = пара { $pair } ланки «{ $link }»

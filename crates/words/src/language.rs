@@ -1,5 +1,6 @@
 //! Texts in a language.
 
+use std::collections::BTreeMap;
 use std::fmt::{self, Display};
 use std::sync::{Arc, OnceLock};
 
@@ -21,6 +22,8 @@ pub struct Language {
     has_labels: bool,
     /// Significant digits of results, where they are not to be as they come.
     digits: Option<usize>,
+    /// Short signs of parts by their names, which stand for their labels.
+    marks: Arc<BTreeMap<String, String>>,
 }
 
 impl fmt::Debug for Language {
@@ -46,14 +49,31 @@ impl Language {
     /// The same with so many significant digits of results.
     #[must_use]
     pub fn with_digits(&self, digits: usize) -> Self {
-        Self { bundle: Arc::clone(&self.bundle), digits: Some(digits), ..*self }
+        Self {
+            bundle: Arc::clone(&self.bundle),
+            digits: Some(digits),
+            marks: Arc::clone(&self.marks),
+            ..*self
+        }
+    }
+
+    /// The same with short signs of parts, by the names by which they are found, for their names and labels: the numbers of links in
+    /// drawings and formulas.
+    #[must_use]
+    pub fn with_marks(&self, marks: impl IntoIterator<Item = (String, String)>) -> Self {
+        Self { bundle: Arc::clone(&self.bundle), marks: Arc::new(marks.into_iter().collect()), ..*self }
     }
 
     /// English with the names by which parts are found: what files have.
     fn of_files() -> &'static Self {
         static OF_FILES: OnceLock<Language> = OnceLock::new();
         let english = Self::english();
-        OF_FILES.get_or_init(|| Self { bundle: Arc::clone(&english.bundle), has_labels: false, ..*english })
+        OF_FILES.get_or_init(|| Self {
+            bundle: Arc::clone(&english.bundle),
+            marks: Arc::default(),
+            has_labels: false,
+            ..*english
+        })
     }
 
     /// Reads the texts; that they have no faults, and that no identity is there twice, is tested.
@@ -65,7 +85,7 @@ impl Language {
             let read = FluentResource::try_new(resource.texts.to_owned());
             bundle.add_resource_overriding(read.unwrap_or_else(|(read, _)| read));
         }
-        Self { code, bundle: Arc::new(bundle), has_labels: true, digits: None }
+        Self { code, bundle: Arc::new(bundle), has_labels: true, digits: None, marks: Arc::default() }
     }
 
     fn is_english(&self) -> bool {
@@ -82,8 +102,14 @@ impl Language {
                     .unwrap_or_else(|| self.message(id, values)),
                 _ => self.render(text),
             },
-            Content::Name(letters) => letters.clone().into_owned(),
+            Content::Heading(text) => capital(&self.render(text)),
+            Content::Name(letters) => self.mark(letters).unwrap_or(letters).to_owned(),
             Content::Labelled { name, labels } => {
+                if let Some(mark) =
+                    (!self.marks.is_empty()).then(|| self.marks.get(&name.to_string())).flatten()
+                {
+                    return mark.clone();
+                }
                 let own = labels.iter().find(|(code, _)| self.has_labels && *code == self.code);
                 own.map_or_else(|| self.render(name), |(_, label)| label.clone())
             }
@@ -97,6 +123,10 @@ impl Language {
                 parts.iter().map(|part| self.render(part)).collect::<Vec<_>>().join(between)
             }
         }
+    }
+
+    fn mark(&self, name: &str) -> Option<&str> {
+        self.marks.get(name).map(String::as_str)
     }
 
     /// What this language itself has of an identity without values, for one that is optional: `do-pick.also`.
@@ -167,6 +197,18 @@ impl Language {
             [above, below, unit] => format!("({above}/{below})/{unit}"),
             parts => parts.join("/"),
         }
+    }
+}
+
+/// A text with a capital at its beginning, where that is a word: a symbol is one letter, Latin or Greek.
+fn capital(text: &str) -> String {
+    let mut letters = text.chars();
+    let is_cyrillic = |letter: char| ('а'..='ӿ').contains(&letter);
+    match (letters.next(), letters.clone().next()) {
+        (Some(first), Some(next)) if first.is_lowercase() && (next.is_alphabetic() || is_cyrillic(first)) => {
+            first.to_uppercase().chain(letters).collect()
+        }
+        _ => text.to_owned(),
     }
 }
 

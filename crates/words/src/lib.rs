@@ -15,7 +15,7 @@ pub use inventory;
 pub use language::{LANGUAGES, Language, Resource};
 pub use text::{
     CoordinateKind, Describe, Text, Told, coordinate, count, degrees, exact, joined, labelled, list,
-    millimeters, name, number, ordinal, quantity, text_of, unit,
+    measured, millimeters, name, number, ordinal, quantity, text_of, unit,
 };
 
 resources!();

@@ -2,6 +2,8 @@
 
 use std::{borrow::Cow, fmt::Display, io};
 
+use crate::digits;
+
 /// A text that a person reads, before it is put into a language.
 ///
 /// Its `Display` is English with the names by which parts are found: so JSON has it, which is never translated.
@@ -24,6 +26,8 @@ pub(crate) enum Content {
     Count(usize),
     /// A message where there is little room.
     Short(Box<Text>),
+    /// The beginning of a line.
+    Heading(Box<Text>),
     /// Several texts with the same letters between them.
     Joined { between: &'static str, parts: Vec<Text> },
 }
@@ -50,7 +54,7 @@ impl Text {
     pub fn identity(&self) -> Option<&'static str> {
         match &self.0 {
             Content::Message { id, .. } => Some(id),
-            Content::Short(text) => text.identity(),
+            Content::Short(text) | Content::Heading(text) => text.identity(),
             Content::Joined { parts, .. } => parts.iter().find_map(Self::identity),
             Content::Name(_)
             | Content::Labelled { .. }
@@ -66,7 +70,9 @@ impl Text {
             Content::Name(letters) | Content::Unit(letters) => letters.is_empty(),
             Content::Number { digits, .. } => digits.is_empty(),
             Content::Joined { parts, .. } => parts.iter().all(Self::is_empty),
-            Content::Short(text) | Content::Labelled { name: text, .. } => text.is_empty(),
+            Content::Short(text) | Content::Heading(text) | Content::Labelled { name: text, .. } => {
+                text.is_empty()
+            }
             Content::Message { .. } | Content::Count(_) => false,
         }
     }
@@ -82,7 +88,7 @@ impl Text {
             Content::Name(letters) => vec![letters],
             Content::Labelled { name, .. } => name.names(),
             Content::Message { values, .. } => values.iter().flat_map(|(_, value)| value.names()).collect(),
-            Content::Short(text) => text.names(),
+            Content::Short(text) | Content::Heading(text) => text.names(),
             Content::Joined { parts, .. } => parts.iter().flat_map(Self::names).collect(),
             Content::Number { .. } | Content::Unit(_) | Content::Count(_) => Vec::new(),
         }
@@ -92,6 +98,12 @@ impl Text {
     #[must_use]
     pub fn short(self) -> Self {
         Self(Content::Short(Box::new(self)))
+    }
+
+    /// The same as a heading: a word at its beginning has a capital; a symbol of one letter stays as it is.
+    #[must_use]
+    pub fn heading(self) -> Self {
+        Self(Content::Heading(Box::new(self)))
     }
 }
 
@@ -151,6 +163,13 @@ pub fn unit(symbol: impl Into<Cow<'static, str>>) -> Text {
 pub fn quantity(digits: impl Display, symbol: impl Into<Cow<'static, str>>) -> Text {
     let symbol = symbol.into();
     if symbol.is_empty() { number(digits) } else { joined(" ", [number(digits), unit(symbol)]) }
+}
+
+/// A measured value, as [`exact`], with so many digits where a language has none of its own, and its unit.
+pub fn measured(value: f64, significant: usize, symbol: impl Into<Cow<'static, str>>) -> Text {
+    let symbol = symbol.into();
+    let number = exact(value, digits(value, significant));
+    if symbol.is_empty() { number } else { joined(" ", [number, unit(symbol)]) }
 }
 
 /// A length, m, in millimeters with so many decimals.

@@ -1,7 +1,7 @@
 //! The conventions of a working.
 
 use assur_words::{Text, joined, name, number, text};
-use assur_worksheet::Symbol;
+use assur_worksheet::{RESULT_DIGITS, Symbol};
 
 use crate::{PositionOrSample, Work};
 
@@ -40,7 +40,7 @@ impl Work<'_> {
             ),
             text!("working-symbols-of-groups", d = symbol("D", &["2"])),
             text!("working-order"),
-            text!("working-digits", zero = number("0.00000")),
+            digits_told(RESULT_DIGITS),
             text!(
                 "working-atan2",
                 arguments = joined("", [name("y"), text!("worksheet-between-arguments"), name("x")])
@@ -87,4 +87,10 @@ impl Work<'_> {
 
 fn symbol(letter: &'static str, below: &[&'static str]) -> Text {
     Text::from(&below.iter().fold(Symbol::from(letter), |symbol, part| symbol.of(*part)))
+}
+
+/// How many significant digits the results of a working have.
+pub fn digits_told(digits: usize) -> Text {
+    let zero = number(format_args!("{:.*}", digits.saturating_sub(1), 0.0));
+    text!("working-digits", digits = number(digits), zero)
 }

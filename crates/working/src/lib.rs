@@ -19,6 +19,7 @@ mod loads;
 mod method;
 mod names;
 
+pub use conventions::digits_told;
 pub use energy::{Done, Ending, EnergyForm};
 
 use assur_force::{LoadError, LoadState, Loads};

@@ -4,7 +4,7 @@ use assur_words::Text;
 
 use crate::Symbol;
 use crate::expr::{Expr, Node};
-use crate::figure::{significant, zero};
+use crate::figure::{self, shortest, zero};
 use crate::term::{Show, Term};
 
 /// Significant digits of a printed result.
@@ -37,17 +37,22 @@ pub struct Line {
 
 impl Line {
     pub(crate) fn new(symbol: Symbol, formula: &Expr, unit: &'static str) -> Self {
+        Self::with_digits(symbol, formula, unit, RESULT_DIGITS)
+    }
+
+    /// An equation whose result has so many significant digits.
+    fn with_digits(symbol: Symbol, formula: &Expr, unit: &'static str, significant: usize) -> Self {
         let exact = formula.evaluate(None);
         let is_zero = exact.value.abs() <= ROUNDING * exact.size;
         let value = if is_zero { 0.0 } else { exact.value };
         let (result, half_unit) =
-            if is_zero { zero(exact.size, RESULT_DIGITS) } else { significant(value, RESULT_DIGITS) };
+            if is_zero { zero(exact.size, significant) } else { figure::significant(value, significant) };
         let printed = result.parse().unwrap_or(value);
         let recomputes = |digits: &usize| {
             let found: f64 = formula.evaluate(Some(*digits)).value;
             (found - printed).abs() <= half_unit * (1.0 - 1e-6)
         };
-        let digits = (RESULT_DIGITS..ALL_DIGITS).find(recomputes).unwrap_or(ALL_DIGITS);
+        let digits = (significant..ALL_DIGITS).find(recomputes).unwrap_or(ALL_DIGITS);
         Self { symbol, formula: formula.clone(), value, result, half_unit, unit, digits }
     }
 
@@ -78,6 +83,26 @@ pub enum Entry {
 }
 
 impl Entry {
+    /// The same with so many significant digits in its result, and two more in what is given.
+    #[must_use]
+    pub fn with_digits(&self, digits: usize) -> Self {
+        let given = |term: &Term| match term {
+            Term::Number(own) => {
+                Term::Number(own.parse().map_or_else(|_| own.clone(), |value| shortest(value, digits + 2)))
+            }
+            other => other.clone(),
+        };
+        match self {
+            Self::Note(text) => Self::Note(text.clone()),
+            Self::Equation(sides) => {
+                Self::Equation(sides.iter().map(|side| side.iter().map(given).collect()).collect())
+            }
+            Self::Line(own) => {
+                Self::Line(Line::with_digits(own.symbol.clone(), &own.formula, own.unit, digits))
+            }
+        }
+    }
+
     /// What stands between the signs of equality; nothing for a remark.
     pub fn sides(&self) -> Vec<Vec<Term>> {
         match self {

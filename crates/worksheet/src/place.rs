@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use assur_words::{Text, joined, name, number, text, unit};
+use assur_words::{Text, exact, joined, name, text, unit};
 
 use crate::{Expr, RESULT_DIGITS, Sheet, Symbol, figure::shortest};
 
@@ -302,5 +302,5 @@ impl Sheet {
 
 /// A known value in a remark.
 fn printed(expr: &Expr) -> Text {
-    number(shortest(expr.value(), RESULT_DIGITS))
+    exact(expr.value(), shortest(expr.value(), RESULT_DIGITS))
 }

@@ -128,6 +128,9 @@ impl Lever<'_> {
         // What is left of the moment of a force about its own point is rounding.
         let size = self.linkage.structure.scale * length(force_of);
         if couple.abs() > 1e-12 * size {
+            // Its force has the symbol already.
+            let primed = joined("", [symbol.clone(), name("′")]);
+            let symbol = if steps.is_empty() { symbol } else { &primed };
             steps.extend(self.couple(load.link, couple, kind, symbol, what));
         }
         steps

@@ -120,7 +120,9 @@ pub(super) fn text(state: &State, width: u16, height: u16) -> String {
 pub(super) fn press(state: &mut State, keys: &str) {
     for name in keys.split(' ') {
         let code = Key::parse(name).unwrap();
-        let modifiers = if code.control { KeyModifiers::CONTROL } else { KeyModifiers::NONE };
+        let mut modifiers = KeyModifiers::NONE;
+        modifiers.set(KeyModifiers::CONTROL, code.control);
+        modifiers.set(KeyModifiers::SHIFT, code.shift);
         command::press(state, KeyEvent::new(code.code, modifiers));
         settle(state);
     }

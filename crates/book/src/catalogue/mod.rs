@@ -114,8 +114,8 @@ rows! {
         "inertia_loads.*.moment", "*_inertia_moment";
     Q::ShakingForce, _ => SENSE "quantity-shaking-force", "F", M::In(Unit::FORCE), "shaking.force", "shaking_f%";
     Q::ShakingMoment, _ => SENSE "quantity-shaking-moment", "M", M::In(Unit::MOMENT), "shaking.moment", "shaking_moment";
-    Q::Force, PairOn(..) => SENSE "quantity-force", "F", M::In(Unit::FORCE), "reactions.*.+", "*_+_f%";
-    Q::Force, _ => SENSE "quantity-force", "F", M::In(Unit::FORCE), "", "";
+    Q::Force, PairOn(..) => SENSE "quantity-reaction", "R", M::In(Unit::FORCE), "reactions.*.+", "*_+_f%";
+    Q::Force, _ => SENSE "quantity-reaction", "R", M::In(Unit::FORCE), "", "";
     Q::Moment, _ => SENSE "quantity-moment", "M", M::In(Unit::MOMENT), "reactions.*.moment", "*_moment";
     Q::Offset, _ => PLAIN "quantity-offset", "s", M::In(Unit::LENGTH), "", "";
     Q::Balancing, Drive(_) => SENSE "quantity-balancing", "", M::Balancing, "balancing.@", "balancing_@";

@@ -74,32 +74,36 @@ pub fn further(column: Column) -> Text {
     if needs_its_kind(column) { Text::default() } else { kind(column) }
 }
 
+/// The name of an owner, which a reader has by its label.
+fn named(schema: &Schema, owner: Owner) -> Text {
+    schema.named(owner).map_or_else(|| name(schema.name(owner).into_owned()), Text::from)
+}
+
 /// A column as the head of a table: `D.x'`, `A>rod.Fx`; no two columns have the same.
 pub fn short(schema: &Schema, column: Column) -> Text {
-    let own = || schema.name(column.owner).to_string();
-    // As it is typed.
+    let own = || named(schema, column.owner);
+    // As it is typed; reactions keep the letter by which files and scenes name them.
     let symbol = symbol(column).replace('ω', "w").replace('ε', "e");
-    let dotted =
-        |of: String, symbol: &str| name(if symbol.is_empty() { of } else { format!("{of}.{symbol}") });
+    let symbol = if column.quantity == Quantity::Force { symbol.replace('R', "F") } else { symbol };
+    let dotted = |of: Text, symbol: &str| {
+        if symbol.is_empty() { of } else { joined("", [of, name(format!(".{symbol}"))]) }
+    };
     match (column.quantity, column.owner) {
         (Quantity::Transfer(order), Owner::Point(_) | Owner::Link(_) | Owner::Slide(_)) => {
             let primes = "'".repeat(order.into());
-            name(if symbol.is_empty() { own() + &primes } else { format!("{}.{symbol}{primes}", own()) })
+            joined("", [dotted(own(), &symbol), name(primes)])
         }
-        (_, Owner::PairOn(_, link)) => dotted(format!("{}>{}", own(), schema.links[link]), &symbol),
+        (_, Owner::PairOn(_, link)) => dotted(joined(">", [own(), (&schema.links[link]).into()]), &symbol),
         (Quantity::Work | Quantity::ReducedLoad, Owner::Input | Owner::Link(_)) => kind(column),
-        (Quantity::InertiaForce | Quantity::InertiaMoment, _) => {
-            spaced([name(own()), kind(column), name(symbol)])
-        }
+        (Quantity::InertiaForce | Quantity::InertiaMoment, _) => spaced([own(), kind(column), name(symbol)]),
         (Quantity::Partial { drive, order }, _) => {
             let primes = "'".repeat(order.into());
-            let by = schema.name(Owner::Drive(drive));
-            let of = if symbol.is_empty() { own() } else { format!("{}.{symbol}", own()) };
-            name(format!("{of}{primes}({by})"))
+            let by = named(schema, Owner::Drive(drive));
+            joined("", [dotted(own(), &symbol), name(primes + "("), by, name(")")])
         }
         (Quantity::Balancing, Owner::Drive(drive)) => {
             let turns = schema.drives.get(drive).is_some_and(|(_, is_angle)| *is_angle);
-            name(format!("{}.{}", own(), if turns { "M" } else { "F" }))
+            dotted(own(), if turns { "M" } else { "F" })
         }
         (
             _,

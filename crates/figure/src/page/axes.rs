@@ -14,8 +14,8 @@ pub(super) const BELOW: f64 = 2.0;
 const FREE: f64 = 0.06;
 /// Least distance of the numbers of an axis, mm: horizontal, vertical.
 const APART: [f64; 2] = [16.0, 8.0];
-/// Room of the factor of the vertical axis beside the heading, in text sizes.
-const FACTOR: f64 = 9.0;
+/// Space between the heading and the factor of the vertical axis, in text sizes.
+const BESIDE: f64 = 1.5;
 /// Least numbers of an axis.
 const LEAST_NUMBERS: usize = 3;
 
@@ -30,7 +30,7 @@ pub(super) fn elements(
     let below = if shows_axis { BELOW * print.style.row() } else { 0.0 };
     let vertical = widened(y);
     let (em, fine_width) = (print.style.em, print.style.fine);
-    let told = if print.style.axes_to_scale && y.scale.is_some() { FACTOR * em } else { 0.0 };
+    let told = if print.style.axes_to_scale { factor_room(y, print) } else { 0.0 };
     let mut elements = heading(panel, Room { width: room.width - told, ..room }, print);
     let above = print.style.row() * elements.len().max(1) as f64;
     let free = room.height - above - below - BORDER;
@@ -39,11 +39,15 @@ pub(super) fn elements(
     let mut below_told = None;
     let (width, vertical) = if print.style.axes_to_scale {
         let factors = [x.units_in_mm(width), vertical.units_in_mm(free)];
-        let corner = [room.left + room.width - BORDER, room.top + above - 0.5 * em];
-        let upright = factor_told(&vertical, factors[1], print);
+        let fitted = to_scale(x, vertical, [width, free], factors);
+        // At the end of the plot, unless the heading needs its place.
+        let heading = elements.iter().filter_map(Element::bounds).map(|own| own[2]).fold(left, f64::max);
+        let end = (left + fitted.0).max(heading + told).min(room.left + room.width - BORDER);
+        let corner = [end, room.top + above - 0.5 * em];
+        let upright = factor_told(&fitted.1, factors[1], print);
         elements.extend(upright.map(|told| print.text(corner, &told, Ink::Text, Anchor::End)));
         below_told = factor_told(x, factors[0], print);
-        to_scale(x, vertical, [width, free], factors)
+        fitted
     } else {
         (width, vertical)
     };
@@ -128,6 +132,13 @@ fn to_scale(x: &Axis, vertical: Axis, [width, height]: [f64; 2], factors: [Optio
 /// The factor of an axis in words.
 fn factor_told(axis: &Axis, factor: Option<f64>, print: &Print<'_>) -> Option<String> {
     Some(axis.scale.as_ref()?.factor(factor?)?.render(print.language))
+}
+
+/// The room of a factor of an axis, mm, with the space before it: of a long one; none where it has none.
+pub(super) fn factor_room(axis: &Axis, print: &Print<'_>) -> f64 {
+    const LONG: f64 = 2.5e-2;
+    let told = axis.scale.as_ref().and_then(|scale| scale.factor(LONG / scale.size));
+    told.map_or(0.0, |told| print.width(&told.render(print.language)) + BESIDE * print.style.em)
 }
 
 fn widened(axis: &Axis) -> Axis {

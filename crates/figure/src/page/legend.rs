@@ -3,8 +3,6 @@
 use super::{Anchor, Element, Print, sign_elements, stroked};
 use crate::model::{Figure, Key, Point, Sample};
 
-/// Length of the sample of a stroke, in text sizes.
-const SAMPLE: f64 = 2.5;
 /// Distance between two entries, in text sizes.
 const APART: f64 = 1.5;
 
@@ -30,7 +28,7 @@ pub(super) fn rows<'a>(figure: &'a Figure, width: f64, print: &Print<'_>) -> Row
 
 /// Width of an entry with this text.
 fn wide(text: &str, print: &Print<'_>) -> f64 {
-    (SAMPLE + APART) * print.style.em + print.width(text)
+    (print.style.sample + APART) * print.style.em + print.width(text)
 }
 
 /// Width of the widest row.
@@ -52,8 +50,13 @@ pub(super) fn elements(rows: &Rows<'_>, [left, top]: Point, print: &Print<'_>) -
                     em
                 }
                 Sample::Line(stroke, ink) => {
-                    elements.extend(stroked(&[[x, middle], [x + SAMPLE * em, middle]], stroke, ink, style));
-                    SAMPLE * em
+                    elements.extend(stroked(
+                        &[[x, middle], [x + style.sample * em, middle]],
+                        stroke,
+                        ink,
+                        style,
+                    ));
+                    style.sample * em
                 }
             };
             elements.push(print.text([x + width + 0.5 * em, y], told, crate::Ink::Text, Anchor::Start));

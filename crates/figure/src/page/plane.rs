@@ -12,6 +12,8 @@ use crate::trace::Paper;
 
 /// Free space around what is drawn, for names, bearings and sliders, in text sizes.
 pub(crate) const MARGIN: f64 = 2.2;
+/// Space behind the words of a scale, in text sizes: those of the next panel don't seem to go on with them.
+const BEHIND: f64 = 2.5;
 /// Greatest length of a scale bar, mm, and height of its ends, in text sizes.
 const BAR: f64 = 20.0;
 const END: f64 = 0.4;
@@ -50,11 +52,17 @@ pub(super) fn shrunk(panel: &Panel, room: Room, print: &Print<'_>) -> Room {
     let [width, height] = bounds.size().map(|side| side / scale + 2.0 * MARGIN * em + BORDER);
     let of_scale = |own| {
         let (length, words) = told(own, scale, print.language);
-        length / scale + print.width(&words) + em
+        length / scale + print.width(&words) + BEHIND * em
     };
     let width = scales.iter().map(of_scale).fold(width.max(title).min(room.width), f64::max);
     let around = print.style.row() * (lines(Room { width, ..room }) + scales.len()) as f64;
     Room { width, height: (height + around).min(room.height), ..room }
+}
+
+/// The scale of a panel in its room.
+pub(super) fn scale_in(panel: &Panel, room: Room, print: &Print<'_>) -> Option<f64> {
+    let Frame::Plane { bounds, scales } = &panel.frame else { return None };
+    Some(fit(bounds, scales, room, heading(panel, room, print).len(), print).1)
 }
 
 /// The place of the drawing below so many lines of a heading, and its scale: units of the plane in a millimeter.

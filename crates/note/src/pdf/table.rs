@@ -13,8 +13,8 @@ const LEAST: f64 = 10.0;
 /// Rows of a table that must stand below its head on one page.
 const TOGETHER: usize = 3;
 
-/// Puts a table below what stands on the page.
-pub(super) fn put(pages: &mut Pages, caption: &str, grid: &Grid) {
+/// Puts a table with its caption below what stands on the page, and another caption where it goes on, on the next page.
+pub(super) fn put(pages: &mut Pages, [caption, again]: [&str; 2], grid: &Grid) {
     let widths = widths(grid);
     let right: Vec<bool> = grid.right.iter().map(|_| false).collect();
     let head = cells(&grid.head, &widths);
@@ -27,10 +27,14 @@ pub(super) fn put(pages: &mut Pages, caption: &str, grid: &Grid) {
     }
     pages.y += APART;
     row(pages, &head, (&widths, &right));
-    for cells in &rows {
+    for (number, cells) in rows.iter().enumerate() {
         let before = pages.done.len();
-        pages.need(high(cells));
+        // The last row does not stand alone on a page.
+        let next = rows.get(number + 1).filter(|_| number + 2 == rows.len());
+        pages.need(high(cells) + next.map_or(0.0, |cells| high(cells)));
         if pages.done.len() > before {
+            pages.line(again, SMALL, 0.0);
+            pages.y += APART;
             row(pages, &head, (&widths, &right));
         }
         row(pages, cells, (&widths, &grid.right));

@@ -158,7 +158,7 @@ fn compare(title: &str, built: &str, known: &str) {
                 let opposite =
                     |own: &&String| own.starts_with(&format!("{pair} on ")) && own.ends_with(component);
                 let found = built.keys().find(opposite).unwrap_or_else(|| panic!("{title}: no {name}"));
-                (if component.starts_with("F ") { 1.0 } else { -1.0 }, &built[found])
+                (if component.starts_with("R ") { 1.0 } else { -1.0 }, &built[found])
             }
             _ => panic!("{title}: no {name} among {:?}", built.keys()),
         };

@@ -126,7 +126,7 @@ fn a_hodograph_has_axes_in_newtons_and_marks_positions_by_their_numbers() {
             _ => None,
         });
         let (numbers, axes): (Vec<_>, Vec<_>) = names.partition(|(_, text)| text.parse::<f64>().is_ok());
-        assert_eq!(axes.iter().map(|(_, text)| text.as_str()).collect::<Vec<_>>(), ["Fx, N", "Fy, N"]);
+        assert_eq!(axes.iter().map(|(_, text)| text.as_str()).collect::<Vec<_>>(), ["R_{x}, N", "R_{y}, N"]);
         assert!(numbers.len() >= least.min(2), "{}: {numbers:?}", of.name);
         for (at, text) in numbers {
             let value: f64 = text.parse().unwrap();

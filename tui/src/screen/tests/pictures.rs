@@ -278,7 +278,7 @@ fn quantities_of_one_unit_lie_over_each_other_in_a_picture() {
     let names = "A>crank.F,B>rod.Fx,balancing load";
     let request = PictureArgs { show: Some(names.into()), ..request("curves") };
     let shown = texts("press", &request);
-    for name in ["1 A on crank F force, N", "2 B on rod Fx force, N", "3 balancing load, N·m"] {
+    for name in ["1 A on crank R reaction, N", "2 B on rod Rx reaction, N", "3 balancing load, N·m"] {
         assert!(shown.iter().any(|text| text.starts_with(&format!("{name}: "))), "{name}: {shown:?}");
     }
     let unknown = PictureArgs { show: Some("A>crank.F,nothing".into()), ..request };

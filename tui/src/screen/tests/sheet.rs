@@ -20,6 +20,10 @@ fn fields_are_left_out_taken_again_and_moved_and_the_scene_has_their_order() {
     press(&mut state, "<");
     let back = r#""dynamics", "mechanism", "results"]"#;
     assert!(state.draft.text().contains(back), "{}", state.draft.text());
-    press(&mut state, "u u u");
+    // The arrows with the shift key move it too, right after a switch.
+    press(&mut state, "Enter Enter S-Up S-Up S-Down");
+    let moved = r#""dynamics", "mechanism", "results"]"#;
+    assert!(state.draft.text().contains(moved), "{}", state.draft.text());
+    press(&mut state, "u u u u u u u u");
     assert!(!state.draft.is_changed());
 }

@@ -3,7 +3,7 @@
 use assur_report::json::analysis::to_json;
 use serde_json::Value;
 
-use super::{Form, of, results};
+use super::{Form, of, results, written};
 
 /// A table of the note: its caption, its head and its rows.
 struct Table {
@@ -53,65 +53,93 @@ fn read(cell: &str) -> (f64, f64) {
 
 #[track_caller]
 fn same(cell: &str, value: &Value) {
+    // What is not there, or zero but for rounding.
+    if cell == "–" {
+        assert!(value.as_f64().is_none_or(|value| value.abs() < 1e-12), "{value}");
+        return;
+    }
     let ((found, half), value) = (read(cell), value.as_f64().unwrap());
     assert!((found - value).abs() <= half * (1.0 + 1e-6), "{cell} is not {value}");
 }
 
+/// The rows of a table whose caption has some words, each with the number of its position; none where there is no such table.
+fn rows<'t>(tables: &'t [Table], words: &str) -> Vec<(usize, &'t [String])> {
+    let Some(table) = tables.iter().find(|table| table.caption.contains(words)) else { return Vec::new() };
+    let column = table.head.iter().position(|head| head == "No.").unwrap();
+    table.rows.iter().map(|cells| (cells[column].parse().unwrap(), cells.as_slice())).collect()
+}
+
+/// Compares the tables over positions of a note with the JSON; returns how many numbers there were.
+fn compare_positions(tables: &[Table], positions: &Value) -> usize {
+    let mut compared = 0;
+    let mut compare = |cell: &str, value: &Value| {
+        same(cell, value);
+        compared += 1;
+    };
+    for (position, cells) in rows(tables, "accelerations of the points") {
+        let row = &positions[position];
+        let [v, a] = ["velocities", "accelerations"].map(|key| &row[key]["points"][&cells[0]]);
+        for (cell, value) in [(3, &v[0]), (4, &v[1]), (6, &a[0]), (7, &a[1])] {
+            compare(&cells[cell], value);
+        }
+    }
+    for (position, cells) in rows(tables, "accelerations (ε) of the links") {
+        let row = &positions[position];
+        compare(&cells[3], &row["velocities"]["links"][&cells[0]]);
+        compare(&cells[4], &row["accelerations"]["links"][&cells[0]]);
+    }
+    for (position, cells) in rows(tables, "Reactions of the pairs") {
+        let (pair, link) = cells[0].split_once(" on ").unwrap();
+        let force = &positions[position]["reactions"][pair][link];
+        compare(&cells[3], &force[0]);
+        compare(&cells[4], &force[1]);
+    }
+    for (position, cells) in rows(tables, "maintains the motion of the mechanism") {
+        compare(&cells[2], &positions[position]["balancing"]);
+    }
+    compared
+}
+
 #[test]
 fn the_numbers_of_the_note_are_those_of_the_json() {
-    let html = of("shaper-drive", "en", Form::Html).text;
-    let json: Value =
-        serde_json::from_str(&to_json(&results("shaper-drive").found.unwrap().analysis, false).unwrap())
-            .unwrap();
-    let tables = tables(&html);
-    let mut compared = 0;
-    for position in [3, 27] {
-        let row = &json["positions"][position];
-        // The rows of the position; its number stands behind the owner.
-        let of = |words: &str| {
-            let table = tables.iter().find(|table| table.caption.contains(words)).unwrap();
-            let column = table.head.iter().position(|head| head == "No.").unwrap();
-            let here = position.to_string();
-            table.rows.iter().filter(move |cells| cells[column] == here)
-        };
-        for cells in of("accelerations of the points") {
-            let [v, a] = ["velocities", "accelerations"].map(|key| &row[key]["points"][&cells[0]]);
-            for (cell, value) in [(3, &v[0]), (4, &v[1]), (6, &a[0]), (7, &a[1])] {
-                same(&cells[cell], value);
-                compared += 1;
-            }
-        }
-        for cells in of("accelerations (ε) of the links") {
-            same(&cells[3], &row["velocities"]["links"][&cells[0]]);
-            same(&cells[4], &row["accelerations"]["links"][&cells[0]]);
-            compared += 2;
-        }
-        for cells in of("Reactions of the pairs") {
-            let (pair, link) = cells[0].split_once(" on ").unwrap();
-            let force = &row["reactions"][pair][link];
-            same(&cells[3], &force[0]);
-            same(&cells[4], &force[1]);
-            compared += 2;
-        }
-        for cells in of("maintains the motion of the mechanism") {
-            same(&cells[2], &row["balancing"]);
+    for (scene, least) in
+        [("shaper-drive", 80), ("press", 30), ("shaper-friction", 40), ("triad", 40), ("brake", 3)]
+    {
+        let results = results(scene);
+        let tables = tables(&written(&results, "en", Form::Html).text);
+        let json = to_json(&results.found.as_ref().unwrap().analysis, false).unwrap();
+        let json: Value = serde_json::from_str(&json).unwrap();
+        let positions = if results.samples().is_some() { "trajectory" } else { "positions" };
+        let mut compared = compare_positions(&tables, &json[positions]);
+        let regime = tables.iter().find(|table| table.caption.ends_with("The regime"));
+        for (what, key) in [
+            ("mean speed", "mean_speed"),
+            ("unevenness", "unevenness"),
+            ("required power", "required_power"),
+            ("gear ratio", "ratio"),
+            ("moment of inertia of the flywheel", "flywheel"),
+        ] {
+            let Some(regime) = regime else { continue };
+            assert_eq!(regime.head, ["Quantity", "Value", "Unit", "At"]);
+            let row = regime.rows.iter().find(|row| row[0] == what).unwrap();
+            same(&row[1], &json["dynamics"][key]);
             compared += 1;
         }
+        assert_eq!(regime.is_some(), scene == "shaper-drive", "{scene}");
+        let first = tables.iter().find(|table| table.caption.ends_with("Main results")).unwrap();
+        let last = json[positions].as_array().and_then(|rows| rows.last()).unwrap();
+        for (what, key) in
+            [("time of the end of the motion", "time"), ("speed at the end of the motion", "speed")]
+        {
+            let row = first.rows.iter().find(|row| row[0] == what);
+            if let Some(row) = row {
+                same(&row[1], &last[key]);
+                compared += 1;
+            }
+            assert_eq!(row.is_some(), scene == "brake", "{scene}: {what}");
+        }
+        assert!(compared >= least, "{scene}: {compared}");
     }
-    let regime = tables.iter().find(|table| table.caption.ends_with("The regime")).unwrap();
-    assert_eq!(regime.head, ["Quantity", "Value", "Unit", "At"]);
-    for (what, key) in [
-        ("mean speed", "mean_speed"),
-        ("unevenness", "unevenness"),
-        ("required power", "required_power"),
-        ("gear ratio", "ratio"),
-        ("moment of inertia of the flywheel", "flywheel"),
-    ] {
-        let row = regime.rows.iter().find(|row| row[0] == what).unwrap();
-        same(&row[1], &json["dynamics"][key]);
-        compared += 1;
-    }
-    assert!(compared > 80, "{compared}");
 }
 
 /// Lengths of the straight lines of a drawing, mm.
