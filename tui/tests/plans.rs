@@ -176,7 +176,7 @@ fn several_reactions_are_drawn_together_with_their_values() {
     let found = json(&["analyze", "shaper.toml"]);
     for (pair, link) in [("C", "rocker"), ("A", "crank")] {
         let [x, y] = vector(&found["positions"][0]["reactions"][pair][link]);
-        let key = format!("{pair} on {link} F force, N: {:.3}", x.hypot(y));
+        let key = format!("{pair} on {link} R reaction, N: {:.3}", x.hypot(y));
         assert!(drawn.contains(&key), "{key}");
     }
     for (more, problem) in [

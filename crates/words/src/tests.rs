@@ -3,8 +3,8 @@
 use fluent_bundle::FluentResource;
 
 use crate::{
-    Describe, LANGUAGES, Language, Resource, Text, Told, count, exact, labelled, list, name, number,
-    quantity, unit,
+    Describe, LANGUAGES, Language, Resource, Text, Told, count, exact, joined, labelled, list, measured,
+    name, number, quantity, unit,
 };
 
 fn in_all(text: &Text) -> [String; 3] {
@@ -83,4 +83,36 @@ fn an_error_of_main_reads_as_it_is_shown() {
     crate::errors!(Own);
     let own = Own::from(Told(name("rod")));
     assert_eq!([format!("{own:?}"), format!("{own:#?}"), format!("{:?}", own.0)], ["min", "min", "rod"]);
+}
+
+#[test]
+fn marks_stand_for_names_and_labels() {
+    let crank = || labelled(name("crank"), [("uk", "кривошип".to_owned())]);
+    let marks = [("crank".to_owned(), "1".to_owned())];
+    for code in LANGUAGES {
+        let marked = Language::find(code).unwrap().with_marks(marks.clone());
+        assert_eq!(joined("/", [crank(), name("rod")]).render(&marked), "1/rod", "{code}");
+        assert_eq!(name("crank").render(&marked), "1", "{code}");
+    }
+    // Files keep the name.
+    assert_eq!(crank().to_string(), "crank");
+}
+
+#[test]
+fn a_heading_begins_with_a_capital_and_a_symbol_stays() {
+    for (text, told) in [
+        ("speed, m/s", "Speed, m/s"),
+        ("v, m/s", "v, m/s"),
+        ("з групою 1", "З групою 1"),
+        ("φ, rad", "φ, rad"),
+    ] {
+        assert_eq!(name(text).heading().to_string(), told);
+    }
+}
+
+#[test]
+fn a_measured_value_has_the_digits_of_the_language() {
+    let value = measured(1234.5678, 6, "N");
+    assert_eq!(value.to_string(), "1234.57 N");
+    assert_eq!(value.render(&Language::english().with_digits(4)), "1235 N");
 }
