@@ -95,7 +95,9 @@ impl Given<'_> {
 fn in_order(parents: &[Vec<usize>]) -> (Vec<usize>, Vec<bool>) {
     let mut children = vec![Vec::new(); parents.len()];
     for (index, parents) in parents.iter().enumerate() {
-        parents.iter().for_each(|&parent| children[parent].push(index));
+        for &parent in parents {
+            children[parent].push(index);
+        }
     }
     let mut lacking: Vec<_> = parents.iter().map(Vec::len).collect();
     let mut order: Vec<_> = (0..parents.len()).filter(|&index| lacking[index] == 0).collect();
@@ -210,7 +212,7 @@ impl<'a> Reader<'_, 'a> {
                 match apex(ends, *lengths, *side) {
                     Ok(at) => at,
                     Err(fault) => {
-                        self.refuse_triangle(entry, index, *from, fault);
+                        self.refuse_triangle(entry, index, *from, &fault);
                         return None;
                     }
                 }
@@ -231,18 +233,18 @@ impl<'a> Reader<'_, 'a> {
         Some(at.map(|part| if part.abs() < LEAST { 0.0 } else { part }))
     }
 
-    fn refuse_triangle(&self, entry: &Entry<'_>, index: usize, from: [usize; 2], fault: Open) {
+    fn refuse_triangle(&self, entry: &Entry<'_>, index: usize, from: [usize; 2], fault: &Open) {
         let [point, one, other] = [index, from[0], from[1]].map(|index| shown(&self.points[index].name));
         let length = |length: f64| with_unit(rounded(1e3 * length), "mm");
         let (message, label) = match fault {
             Open::SamePlace => {
                 (text!("scene-triangle-one-place", point, one, other), text!("scene-triangle-other-points"))
             }
-            Open::Short { apart, gap } => (
+            &Open::Short { apart, gap } => (
                 text!("scene-triangle-short", point, one, other, apart = length(apart), gap = length(gap)),
                 text!("scene-triangle-lengthen", gap = length(gap)),
             ),
-            Open::Long { apart, gap } => (
+            &Open::Long { apart, gap } => (
                 text!("scene-triangle-long", point, one, other, apart = length(apart), gap = length(gap)),
                 text!("scene-triangle-shorten", gap = length(gap)),
             ),

@@ -1,5 +1,7 @@
 //! Points in polar form and by two lengths.
 
+#![expect(clippy::float_cmp, reason = "quarters of a turn have no rounding, and one place is the same twice")]
+
 use std::f64::consts::FRAC_1_SQRT_2;
 
 use approx::assert_relative_eq as close;
