@@ -28,7 +28,10 @@ fn a_key_that_names_nothing_is_told_with_what_there_is() {
 #[test]
 fn a_value_of_another_kind_is_told() {
     for (vary, problem) in [
-        ("link.piston.mass=1 m..2 m:3", "`link.piston.mass`: wants a mass (kg, g, t, lb, slug), got `m`, a length"),
+        (
+            "link.piston.mass=1 m..2 m:3",
+            "`link.piston.mass`: wants a mass (kg, g, t, lb, slug), got `m`, a length",
+        ),
         (
             "link.piston.mass=1 kg..2 m:3",
             "`link.piston.mass`: wants a mass (kg, g, t, lb, slug), got `m`, a length",
