@@ -105,12 +105,11 @@ impl Columns {
 
     fn reaction_of(&self, pair: &str, link: Option<&str>) -> Result<Reaction<'_>, Error> {
         let name_of = |link: usize| self.schema.links[link].as_str();
-        let all = match link {
-            Some(_) => self.schema.owners(Quantity::Force),
-            None => {
-                let shown = catalogue::reactions(&self.schema).into_iter();
-                shown.map(|(pair, link)| Owner::PairOn(pair, link)).collect()
-            }
+        let all = if link.is_some() {
+            self.schema.owners(Quantity::Force)
+        } else {
+            let shown = catalogue::reactions(&self.schema).into_iter();
+            shown.map(|(pair, link)| Owner::PairOn(pair, link)).collect()
         };
         let found = all.iter().copied().find_map(|owner| match owner {
             Owner::PairOn(of, on) if self.schema.name(owner) == pair => {

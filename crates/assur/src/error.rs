@@ -36,13 +36,11 @@ impl Error {
     /// An error of a calculation, at its key of the scene if it has one.
     pub(crate) fn at(file: &str, text: &str, key: Option<Key>, message: Text) -> Self {
         let placed = key.as_ref().and_then(|key| assur_scene::fault_at(file, text, key, message.clone()));
-        match placed {
-            Some(errors) => Self::of_scene(&errors, text),
-            None => {
-                let key = key.map(|key| key.to_string());
-                Self { file: Some(file.to_owned()), key, ..Self::told(message) }
-            }
+        if let Some(errors) = placed {
+            return Self::of_scene(&errors, text);
         }
+        let key = key.map(|key| key.to_string());
+        Self { file: Some(file.to_owned()), key, ..Self::told(message) }
     }
 
     pub(crate) fn of_scene(errors: &SceneErrors, text: &str) -> Self {

@@ -49,7 +49,7 @@ pub(crate) fn of(scene: &Scene, vary: &[&str], measures: &[&str]) -> Result<Swee
                         CsvCell::Number(value) => rows.values[column].push(value),
                         CsvCell::Text(text) => rows.texts[column].push(text.to_owned()),
                         CsvCell::Empty if sweep.columns.is_text(column) => {
-                            rows.texts[column].push(String::new())
+                            rows.texts[column].push(String::new());
                         }
                         CsvCell::Empty => rows.values[column].push(f64::NAN),
                     }

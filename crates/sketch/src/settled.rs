@@ -2,6 +2,7 @@
 
 use assur_draft::set;
 use assur_mechanism::Key;
+use assur_number::elementary;
 use assur_words::Text;
 
 use crate::number::{place_like, written};
@@ -24,7 +25,7 @@ pub fn settled(text: &str, sketch: &Sketch) -> Result<String, Text> {
     sketch.mechanism.assembly.iter().try_fold(text.to_owned(), |text, (point, wanted)| {
         let name = &sketch.mechanism.points[*point].name;
         let Some([x, y]) = sketch.place(name.as_str()) else { return Ok(text) };
-        if (x - wanted[0]).hypot(y - wanted[1]) <= near {
+        if elementary::hypot(x - wanted[0], y - wanted[1]) <= near {
             return Ok(text);
         }
         let key = Key::of("assembly").at(name);

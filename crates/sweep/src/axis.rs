@@ -310,7 +310,9 @@ fn in_one_unit(mut values: Vec<End>, dimension: Option<Dimension>) -> Result<Vec
     for value in values.iter_mut().filter(|value| !value.unit.is_empty()) {
         value.number = quantity(&value.text(), dimension).map_err(|error| error.describe())?;
     }
-    values.iter_mut().for_each(|value| dimension.si().clone_into(&mut value.unit));
+    for value in &mut values {
+        dimension.si().clone_into(&mut value.unit);
+    }
     Ok(values)
 }
 

@@ -80,7 +80,7 @@ pub(crate) struct SweepArgs {
     /// positions only, which is far faster
     #[arg(long)]
     between: bool,
-    /// Tell the point with the least or the greatest value of a column, of those that are ok: least:balancing_rms_Nm
+    /// Tell the point with the least or the greatest value of a column, of the points that are ok; `greatest:COLUMN` the other way
     #[arg(long, value_name = "least:COLUMN", conflicts_with = "resume")]
     best: Option<String>,
     /// Write the scene of that point

@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 const AUTHORS: &str = "Ortega Rheinboldt Hairer rsett Wanner Leroy Somer IMfinity Innomotics Motive rev Bonfiglioli \
      Linkage linkage2 PMKS PMKSWeb Web GitHub Windows Copy URL";
 /// Symbols, signs of files and programs: no registry has them.
-const SYMBOLS: &str = "phi1 phi2 rpm sum max abs sin cos tan atan2 sign step rms kor phi alpha beta delta sigma pi dq dw dt PF0 PF1 PF2 TestPf Pogr1 \
+const SYMBOLS: &str = "phi1 phi2 rpm slug sum max abs sin cos tan atan2 sign step rms kor phi alpha beta delta sigma pi dq dw dt PF0 PF1 PF2 TestPf Pogr1 \
                        Mmax Mn Typst Markdown HTML SVG PNG DXF CSV JSON TOML Parquet UTF ASCII Braille Sobol kitty iTerm2 XDG_CONFIG_HOME HOME \
                        NO_COLOR FILE SCENE KEY FOLDER NAME toml csv svg png pdf dxf txt html md typ parquet json new fg assur Ctrl \
                        true false auto off on open set compare";

@@ -236,18 +236,14 @@ pub(super) fn close(state: &mut State) {
         return;
     }
     let Some(form) = state.build.form_mut() else { return };
-    match form.above.pop() {
-        Some((source, chosen)) => {
-            (form.source, form.chosen) = (source, chosen);
-            fields::renew(state);
-        }
-        None => {
-            let made = matches!(form.source, FormSource::Made(..));
-            state.build.task = Task::Choose;
-            if made {
-                settle(state);
-            }
-        }
+    if let Some((source, chosen)) = form.above.pop() {
+        (form.source, form.chosen) = (source, chosen);
+        return fields::renew(state);
+    }
+    let made = matches!(form.source, FormSource::Made(..));
+    state.build.task = Task::Choose;
+    if made {
+        settle(state);
     }
 }
 

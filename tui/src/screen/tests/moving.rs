@@ -117,7 +117,9 @@ fn moving(frames: &[(Buffer, u32)]) -> String {
     }
     let mut rows: Vec<(usize, String)> = rows.into_iter().map(|(svg, id)| (id, svg)).collect();
     rows.sort_unstable();
-    let rows: String = rows.into_iter().map(|(id, svg)| format!("<g id=\"r{id}\">{svg}</g>\n")).collect();
+    let rows: Vec<String> =
+        rows.into_iter().map(|(id, svg)| format!("<g id=\"r{id}\">{svg}</g>\n")).collect();
+    let rows = rows.concat();
     let seconds = f64::from(whole) / 100.0;
     format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" viewBox=\"0 0 {width} {height}\">\n\
