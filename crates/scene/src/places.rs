@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 
+use assur_number::elementary::{hypot, sin_cos};
 use assur_words::{Describe, Text, joined, name, quantity as with_unit, text};
 use toml::de::DeValue;
 
@@ -289,7 +290,7 @@ enum Open {
 
 /// Cosine and sine of an angle, without the rounding of quarters of a turn.
 fn direction(angle: f64) -> [f64; 2] {
-    let (sin, cos) = angle.sin_cos();
+    let (sin, cos) = sin_cos(angle);
     let exact = |part: f64| if part.abs() < 4.0 * f64::EPSILON { 0.0 } else { part };
     [exact(cos), exact(sin)]
 }
@@ -297,7 +298,7 @@ fn direction(angle: f64) -> [f64; 2] {
 /// The point at these distances from two others; `side`: 1 left of the line from the first to the second, -1 right of it.
 fn apex([one, other]: [[f64; 2]; 2], [first, second]: [f64; 2], side: f64) -> Result<[f64; 2], Open> {
     let along = [other[0] - one[0], other[1] - one[1]];
-    let apart = along[0].hypot(along[1]);
+    let apart = hypot(along[0], along[1]);
     if apart < LEAST {
         return Err(Open::SamePlace);
     }
