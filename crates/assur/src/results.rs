@@ -66,11 +66,6 @@ impl Results {
         })
     }
 
-    /// The table that has the forces: that of the positions, or of a scene whose speed is found over time that of its samples.
-    pub fn with_forces(&self) -> &Columns {
-        if self.motion.is_empty() { &self.positions } else { &self.motion }
-    }
-
     /// The numbers of a column of the positions by its name in CSV, such as `B_x_m`.
     ///
     /// # Errors

@@ -3,6 +3,7 @@
 mod adding;
 mod changing;
 mod placing;
+mod settled;
 
 use assur_all as _;
 
