@@ -4,7 +4,7 @@ use assur_mechanism::{Key, Step};
 use assur_words::Text;
 use toml::de::DeTable;
 
-use crate::known::{As, Of, known};
+use crate::known::{As, Of, known, point_with};
 use crate::layout::{Layout, check};
 use crate::names::{Mention, Names, link_of, point_of};
 use crate::part::Part;
@@ -117,6 +117,9 @@ impl Names<'_> {
 
 /// What goes when a name in it has lost its meaning: the key of what carries it, and whether that is more than a single key.
 fn carrier(path: &[Step]) -> (Vec<Step>, bool) {
+    if let Some(point) = point_with(path) {
+        return (point.to_vec(), true);
+    }
     let Some(known) = known(path) else { return (path.to_vec(), false) };
     let is_single = matches!(path.last(), Some(Step::Index(_)))
         || known.chosen.is_some()

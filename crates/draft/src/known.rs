@@ -64,7 +64,9 @@ pub(crate) fn known(path: &[Step]) -> Option<Known> {
                 }
             }
             Step::Name(_) if !is_table && known.kinds.contains(&&ValueKind::Points) => {
-                (known.kinds, known.chosen) = (Vec::new(), Some((Of::Point, As::Definition)));
+                // The value of a point may be a table.
+                known.kinds.retain(|kind| matches!(kind, ValueKind::Table(_)));
+                known.chosen = Some((Of::Point, As::Definition));
                 known.is_needed = false;
             }
             Step::Name(name) => {
@@ -94,6 +96,11 @@ fn item(kind: &'static ValueKind) -> Option<&'static ValueKind> {
 }
 
 impl Known {
+    /// Whether it is a key of the place of a point.
+    fn is_place(&self) -> bool {
+        self.table.name() == "points"
+    }
+
     /// What a text is the name of; `None`: it is none.
     pub(crate) fn named(&self, text: &str) -> Option<Of> {
         let is_word = |kind: &&ValueKind| matches!(kind, ValueKind::Word(word) if *word == text);
@@ -102,6 +109,8 @@ impl Known {
         }
         self.kinds.iter().find_map(|kind| match kind {
             ValueKind::Named("link") => Some(Of::Link),
+            // A place is given by points of the link that it is on.
+            ValueKind::Named("point") if self.is_place() => Some(Of::Place),
             ValueKind::Named("point") => Some(Of::Point),
             ValueKind::Named("slide") => Some(Of::Slide),
             ValueKind::Named("pair") => Some(Of::Pair),
@@ -109,4 +118,13 @@ impl Known {
             _ => None,
         })
     }
+}
+
+/// The key of the point to whose place a key belongs: `link.rod.points.B` of `link.rod.points.B.about`.
+pub(crate) fn point_with(path: &[Step]) -> Option<&[Step]> {
+    let before = path.split_last()?.1;
+    known(path).filter(Known::is_place)?;
+    let is_point =
+        |path: &&[Step]| known(path).is_some_and(|known| known.chosen == Some((Of::Point, As::Definition)));
+    (1..=before.len()).map(|count| &before[..count]).find(is_point)
 }

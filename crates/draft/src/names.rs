@@ -8,7 +8,7 @@ use toml::Spanned;
 use toml::de::DeValue;
 
 use crate::braces::Braces;
-use crate::known::{As, Of, known};
+use crate::known::{As, Of, known, point_with};
 use crate::layout::{Layout, line_start};
 
 /// A name in a text.
@@ -112,6 +112,9 @@ impl<'t> Names<'t> {
 
     /// The link in whose frame the place at a key is.
     pub(crate) fn frame(&self, path: &[Step]) -> Option<String> {
+        if let Some(point) = point_with(path) {
+            return Some(link_of(point).to_owned());
+        }
         let (key, table) = path.split_last()?;
         if let [_, Step::Name(link)] = table {
             return Some(link.clone());

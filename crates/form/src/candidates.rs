@@ -166,15 +166,22 @@ impl Step {
             }
             ValueKind::Two(item) if matches!(**item, ValueKind::Named(_)) => {
                 let names = named(tables, key, kind);
+                let is_place = tables.points_beside(key).is_some();
                 let pairs = |(at, one): (usize, &String)| {
-                    // Both ends of a spring are not on one link.
+                    // Both ends of a spring are not on one link, as the points are by which a place is given.
                     let links = tables.holders(one);
-                    let is_apart =
-                        |other: &&String| tables.holders(other).iter().all(|link| !links.contains(link));
+                    let is_apart = |other: &&String| {
+                        is_place || tables.holders(other).iter().all(|link| !links.contains(link))
+                    };
                     let others = names[at + 1..].iter().filter(is_apart);
                     others.map(|other| format!("[{}, {}]", quoted(one), quoted(other))).collect::<Vec<_>>()
                 };
                 names.iter().enumerate().flat_map(pairs).collect()
+            }
+            // Two equal lengths close a triangle if they are great enough.
+            ValueKind::Two(_) if last(key) == "lengths" => {
+                let lengths = ["100 mm", "1 m", "10 m"].map(quoted);
+                lengths.map(|length| format!("[{length}, {length}]")).into()
             }
             // The example of the reference stands for all that names nothing.
             _ => Vec::new(),

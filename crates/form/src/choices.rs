@@ -66,6 +66,8 @@ pub(crate) fn named(tables: &Tables<'_>, key: &Key, kind: &ValueKind) -> Vec<Str
             }
             _ => tables.parts("link"),
         },
+        // A place is given by other points of its link.
+        ValueKind::Named("point") => tables.points_beside(key).unwrap_or_else(|| tables.parts("point")),
         ValueKind::Named(what) => tables.parts(what),
         ValueKind::Place => tables.points_of(&link_of(tables, key)),
         ValueKind::Two(kind) | ValueKind::List(kind) => named(tables, key, kind),

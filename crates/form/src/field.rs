@@ -61,7 +61,12 @@ impl Field {
             limits: limits(known.limits),
             default: known.default,
             choices: choices(tables, &key, &kinds, offers),
-            opens: openings(tables, &key, known),
+            // The tables of points are the values of those.
+            opens: if known.kinds.contains(&ValueKind::Points) {
+                Vec::new()
+            } else {
+                openings(tables, &key, known)
+            },
             ..Self::bare(tables, key, kinds)
         }
     }
@@ -185,9 +190,16 @@ pub fn field(text: &str, at: &Key, offers: Offers<'_>) -> Option<Field> {
 /// The field of a point among those of a link or of the ground.
 pub(crate) fn point(tables: &Tables<'_>, key: Key, points: &SceneKey) -> Field {
     // A place of a link is no other point of it.
-    let kinds = vec![
+    let mut kinds = vec![
         ValueKind::Quantity(Dimension::Length),
         ValueKind::Two(Box::new(ValueKind::Quantity(Dimension::Length))),
     ];
-    Field { about: text!(points.about), default: KeyDefault::Absent, ..Field::bare(tables, key, kinds) }
+    kinds.extend(points.kinds.iter().filter(|kind| matches!(kind, ValueKind::Table(_))).cloned());
+    let opens = openings(tables, &key, points);
+    Field {
+        about: text!(points.about),
+        default: KeyDefault::Absent,
+        opens,
+        ..Field::bare(tables, key, kinds)
+    }
 }

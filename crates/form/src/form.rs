@@ -7,7 +7,7 @@ use assur_words::{Text, joined, name};
 use crate::choices::Offers;
 use crate::field::{Field, Opening, point, what};
 use crate::sort::{openings, sort};
-use crate::tables::{Tables, headers, is_chosen, key_of, label, last, table_at};
+use crate::tables::{Tables, headers, is_chosen, key_of, label, last, owner as owner_of, table_at};
 
 /// A table with the keys that it may have.
 #[derive(Debug, Clone)]
@@ -27,8 +27,12 @@ pub struct Form {
 pub fn table(text: &str, at: &Key, offers: Offers<'_>) -> Form {
     let tables = Tables::of(text);
     let at = tables.numbered(at);
+    let is_points = |key: &&SceneKey| key.kinds.contains(&ValueKind::Points);
     let owner = key_of(at.steps());
-    let mut sorts = owner.map(|key| openings(&tables, &at, key)).unwrap_or_default();
+    // The table of a point is the value of one among the points.
+    let of_point = || key_of(owner_of(&at).steps()).filter(is_points);
+    let opener = owner.filter(|key| !is_points(key)).or_else(of_point);
+    let mut sorts = opener.map(|key| openings(&tables, &at, key)).unwrap_or_default();
     sorts.retain(|opening| opening.sort.is_some());
     let (what, fields) = match (table_at(at.steps()), owner) {
         (Some(known), _) => {

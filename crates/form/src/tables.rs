@@ -120,6 +120,16 @@ impl<'t> Tables<'t> {
         self.names(&owner.at("points"))
     }
 
+    /// The points of the link, or of the ground, among whose points a key is: of `about` and `from`. `None` of other keys.
+    pub(crate) fn points_beside(&self, key: &Key) -> Option<Vec<String>> {
+        let place =
+            |depth: usize| table_at(&key.steps()[..depth]).is_some_and(|table| table.name() == "points");
+        let depth = (1..key.steps().len()).find(|depth| place(*depth))?;
+        let (own, points) = key.steps()[..depth].split_last()?;
+        let names = self.names(&Key::from(points)).into_iter();
+        Some(names.filter(|name| *own != Step::from(name.as_str())).collect())
+    }
+
     /// The links, the ground included, that have a point.
     pub(crate) fn holders(&self, point: &str) -> Vec<String> {
         let links = ["ground".to_owned()].into_iter().chain(self.links());

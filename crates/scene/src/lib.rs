@@ -23,6 +23,7 @@ mod motion;
 mod note;
 mod numbers;
 mod over_time;
+mod places;
 mod reading;
 pub mod reference;
 mod render;

@@ -7,10 +7,8 @@ use assur_mechanism::{GROUND, Link, LinkId, Mechanism, Place, Point, PointId, Sl
 
 use assur_words::{Text, name as words, text};
 
-use toml::Spanned;
-use toml::de::DeValue;
-
 use crate::error::{Fault, Faults};
+use crate::places::has_unit;
 use crate::reference::Bound;
 use crate::text::{did_you_mean, nearest, row, shown};
 use crate::units::{Dimension, quantity};
@@ -26,7 +24,7 @@ pub(crate) struct SceneLinks {
     names: HashMap<String, PointId>,
     links_by_name: HashMap<String, LinkId>,
     pub(crate) slide_names: HashSet<String>,
-    /// Where in the file a point has its place on a link.
+    /// Where in the file a point has its coordinates on a link; none of one whose numbers are no coordinates, or by which others are given.
     written: HashMap<(PointId, LinkId), Range<usize>>,
     /// Whether some coordinate of a moving link is written with a unit.
     pub(crate) has_units: bool,
@@ -95,18 +93,20 @@ impl SceneLinks {
         self.names.get(name).copied()
     }
 
-    /// Adds a point of a link; the point may be new or a pin.
-    pub(crate) fn add_place(&mut self, entry: &Entry<'_>, place: Place) -> PointId {
+    /// Adds a point of a link; the point may be new or a pin. `is_free`: whether the numbers of the entry are its coordinates, and stand in
+    /// the mechanism nowhere else than here and where the point is named.
+    pub(crate) fn add_place(&mut self, entry: &Entry<'_>, place: Place, is_free: bool) -> PointId {
         let id = *self.names.entry(entry.name.clone()).or_insert(self.points.len());
         if id == self.points.len() {
             self.points.push(Point { name: entry.name.as_str().into(), places: Vec::new() });
         }
         let index = self.points[id].places.len();
         self.points[id].places.push(place);
+        self.has_units |= place.link != GROUND && has_unit(entry.value);
+        if !is_free {
+            return id;
+        }
         self.written.insert((id, place.link), entry.span.clone());
-        let mut numbers =
-            entry.value.as_array().into_iter().flatten().map(Spanned::get_ref).chain([entry.value]);
-        self.has_units |= place.link != GROUND && numbers.any(DeValue::is_str);
         entry.faults.tell(|told| {
             told.place([entry.span.clone()], move |scene| Some(&mut scene.points[id].places[index].at));
         });

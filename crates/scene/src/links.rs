@@ -6,7 +6,8 @@ use assur_mechanism::{
 };
 use assur_words::{Text, joined, name as name_of, text};
 
-use crate::linkage::{SceneLinks, coordinates};
+use crate::linkage::SceneLinks;
+use crate::places::{Placed, places};
 use crate::text::{in_quotes, is_unprintable, row, shown, such_as};
 use crate::walk::{Entry, Section};
 use crate::{edit::place, inertia, reference};
@@ -85,10 +86,10 @@ fn add_link<'a>(
 fn add_points(linkage: &mut SceneLinks, entry: &Entry<'_>, link: LinkId) -> Option<PointId> {
     let mut first = None;
     let points = entry.named(text!("scene-table-of-points"), such_as("{ A = 0, B = \"120 mm\" }"));
-    let places: Vec<_> = points.iter().map(|point| coordinates(point).unwrap_or_default()).collect();
-    for (point, &at) in points.iter().zip(&places) {
+    let places = places(&points, &linkage.links[link].name);
+    for (point, placed) in points.iter().zip(&places) {
         check_name(point, "scene-no-point-name");
-        let id = linkage.add_place(point, Place { link, at });
+        let id = linkage.add_place(point, Place { link, at: placed.at }, placed.is_free);
         first = first.or(Some(id));
     }
     if link != GROUND {
@@ -99,8 +100,9 @@ fn add_points(linkage: &mut SceneLinks, entry: &Entry<'_>, link: LinkId) -> Opti
 
 /// Notes a negative length with a unit in the place of the only point of a link beside its origin: it is a coordinate, so that the link
 /// is turned round.
-fn doubt_length(points: &[Entry<'_>], places: &[[f64; 2]]) {
-    let ([one, other], &[a, b]) = (points, places) else { return };
+fn doubt_length(points: &[Entry<'_>], places: &[Placed]) {
+    let ([one, other], [Placed { at: a, .. }, Placed { at: b, .. }]) = (points, places) else { return };
+    let (a, b) = (*a, *b);
     let is_origin = |[x, y]: [f64; 2]| x == 0.0 && y == 0.0;
     let (point, x) = if is_origin(a) { (other, b[0]) } else { (one, a[0]) };
     let alone = is_origin(a) || is_origin(b);

@@ -20,11 +20,13 @@ const THERE: f64 = 1e-5;
 /// Of a pivot the coordinates in the ground change. Of any other point those in all its links do, where other points stay; a link of two
 /// points that is written as a length keeps this form and turns, and if it is driven, the first coordinate follows. A stone with this
 /// point alone goes with it, and the link with its guide follows; where that can't be, the stone gets an offset. The place in
-/// `[assembly]` follows.
+/// `[assembly]` follows. A place that is a table, polar or by two lengths, becomes two coordinates; points of a link that are given by this
+/// one follow it.
 ///
 /// # Errors
 ///
-/// No such point, a link of it has no place, or what is wrong with the text, in the reader's words.
+/// No such point, a link of it has no place, a triangle of two lengths does not close any more, or what is wrong with the text, in the
+/// reader's words.
 pub fn move_point(text: &str, sketch: &Sketch, point: &str, to: [f64; 2]) -> Result<String, Text> {
     let id = sketch.mechanism.point(point).ok_or_else(|| text!("sketch-no-point", name = quoted(point)))?;
     let change = Change { text, sketch, point: id, to };
@@ -33,7 +35,20 @@ pub fn move_point(text: &str, sketch: &Sketch, point: &str, to: [f64; 2]) -> Res
         let reading = reading("", text).ok()?;
         Some(distance(crate::sketch(&reading.mechanism).place(point)?, to) < THERE)
     };
-    if change.has_slides() && lies_there(&moved) != Some(true) { change.made(true) } else { Ok(moved) }
+    let moved =
+        if change.has_slides() && lies_there(&moved) != Some(true) { change.made(true)? } else { moved };
+    open_triangle(&moved).map_or(Ok(moved), Err)
+}
+
+/// What the reader says of the first triangle of two lengths that does not close.
+fn open_triangle(text: &str) -> Option<Text> {
+    // Of most scenes nothing is read.
+    if !text.contains("lengths") {
+        return None;
+    }
+    let errors = reading("", text).err()?.errors.into_iter();
+    let is_open = |message: &Text| message.identity().is_some_and(|own| own.starts_with("scene-triangle"));
+    errors.map(|error| error.message).find(is_open)
 }
 
 /// The text of a scene with the guide of a slide turned by an angle, rad, about the point through which it goes.

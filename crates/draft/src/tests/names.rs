@@ -219,3 +219,41 @@ fn what_is_deleted_leaves_no_rest() {
         changed(scene("shaper-friction"), &[(", S3 = \"375 mm\"", "", 1), ("center = \"S3\"\n", "", 1)])
     );
 }
+
+/// A link whose points are given by others, and another one with points of the same names.
+const PLATE: &str = r#"
+[ground]
+points = { O = 0, C = 1, G = { r = 1, angle = 0, about = "C" } }
+[link.crank]
+points = { O = 0, A = 1, B = { r = 1, angle = 0, about = "A" }, P = { from = ["O", "A"], lengths = [1, 1] } }
+[link.rod]
+points = { A = 0, C = 1, Q = { from = ["A", "C"], lengths = [1, 1] } }
+"#;
+
+#[test]
+fn points_by_which_places_are_given_are_renamed_in_their_links() {
+    let wanted = changed(PLATE, &[("A = ", "D = ", 2), ("\"A\"", "\"D\"", 3)]);
+    assert_eq!(rename(PLATE, &point("A"), "D").unwrap(), wanted);
+    let wanted = changed(
+        PLATE,
+        &[
+            ("O = 0, A = 1", "O = 0, D = 1", 1),
+            ("about = \"A\"", "about = \"D\"", 1),
+            ("\"O\", \"A\"", "\"O\", \"D\"", 1),
+        ],
+    );
+    assert_eq!(rename_in_link(PLATE, "crank", "A", "D").unwrap(), wanted);
+    let wanted = changed(PLATE, &[("C = 1, G", "D = 1, G", 1), ("about = \"C\"", "about = \"D\"", 1)]);
+    assert_eq!(rename_in_link(PLATE, "ground", "C", "D").unwrap(), wanted);
+}
+
+#[test]
+fn a_point_goes_with_those_by_which_it_is_given() {
+    assert_eq!(dependents(PLATE, &point("A")), [point("B"), point("P"), point("Q")]);
+    let text = delete(PLATE, &[point("A")]).unwrap();
+    assert!(text.contains("[link.crank]\npoints = { O = 0 }\n[link.rod]\npoints = { C = 1 }\n"), "{text}");
+    // A point of the ground that another place needs stays with it; a point of another link is none of it.
+    assert_eq!(dependents(PLATE, &link("rod")), []);
+    let text = delete(PLATE, &[link("rod")]).unwrap();
+    assert_eq!(text, &PLATE[..PLATE.find("[link.rod]").unwrap()]);
+}

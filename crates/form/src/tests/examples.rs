@@ -13,7 +13,7 @@ fn offers() -> Vec<(&'static str, Vec<Choice>)> {
     vec![("motor", words(&["4A100L4"])), ("catalogue", words(&["4A"])), ("integrator", words(&["dopri5"]))]
 }
 
-/// The shipped scenes, one with a law of its input over time, and one with a sheet.
+/// The shipped scenes, one with a law of its input over time, one with points by all keys, and one with a sheet.
 fn scenes() -> impl Iterator<Item = String> {
     let arm = include_str!("../../../scene/src/tests/arm.toml");
     let boom =
@@ -21,6 +21,7 @@ fn scenes() -> impl Iterator<Item = String> {
     SCENES.iter().map(|(_, text)| (*text).to_owned()).chain([
         arm.to_owned(),
         boom,
+        include_str!("../../../scene/src/tests/places.toml").to_owned(),
         format!("{}\n[sheet]\nformat = \"A1\"\n", shaper()),
     ])
 }

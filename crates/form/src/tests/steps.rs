@@ -196,3 +196,35 @@ fn a_force_on_another_link_acts_at_a_point_of_it() {
     let place = shaper().replace("at = \"K\"", "at = [0.25, -0.05]");
     assert_eq!(value(&reads(typing(&place, "force[0].link", "crank")), "force[0].at"), "[0.25, -0.05]");
 }
+
+#[test]
+fn a_point_becomes_a_table_and_coordinates_again() {
+    let at = "link.rocker.points.S3";
+    let sorts: Vec<_> =
+        of(shaper(), at).opens.into_iter().map(|one| (one.sort.unwrap(), one.stands)).collect();
+    assert_eq!(sorts, [("r", false), ("from", false)]);
+    assert!(of(shaper(), "link.rocker.points").opens.is_empty());
+    let polar = reads(make(shaper(), at, Some("r")));
+    assert_eq!(value(&polar, at), "{ r = \"3 in\", angle = \"30 deg\" }");
+    let labels = |text: &str| -> Vec<String> {
+        table(text, &key(at), &[]).fields.into_iter().map(|field| field.label).collect()
+    };
+    assert_eq!(labels(&polar), ["r", "angle", "about"]);
+    // Only other points of the link can be named.
+    let names =
+        |at: &str| -> Vec<String> { of(&polar, at).choices.into_iter().map(|choice| choice.toml).collect() };
+    assert_eq!(names("link.rocker.points.S3.about"), ["\"C\"", "\"D\""]);
+    let about = reads(typing(&polar, "link.rocker.points.S3.about", "D"));
+    assert_eq!(value(&about, at), "{ r = \"3 in\", angle = \"30 deg\", about = \"D\" }");
+    // The rocker is 700 mm long.
+    let triangle = reads(make(&about, at, Some("from")));
+    assert_eq!(value(&triangle, at), "{ from = [\"C\", \"D\"], lengths = [\"1 m\", \"1 m\"] }");
+    assert_eq!(labels(&triangle), ["from", "lengths", "side"]);
+    let right = reads(typing(&triangle, "link.rocker.points.S3.side", "right"));
+    assert!(value(&right, at).ends_with("side = \"right\" }"));
+    let open = typing(&right, "link.rocker.points.S3.lengths", "100 mm, 200 mm");
+    let message = open.here.unwrap().message.to_string();
+    assert!(message.contains("has a gap of 400 mm"), "{message}");
+    let again = reads(typing(&right, at, "250, 0 mm"));
+    assert_eq!(value(&again, at), "[\"250 mm\", \"0 mm\"]");
+}

@@ -35,7 +35,9 @@ pub fn key_of(key: &Key) -> Option<&'static SceneKey> {
         _ => None,
     };
     let within = |at: usize, table: &str, is_list: bool| {
-        let tables = TABLES.iter().filter(|known| known.name() == table);
+        // Of a table with a name that the user chooses, the name stands between, which may be that of a key: a point `r`.
+        let is_far = |known: &KeyTable| is_list || !known.header.contains(".NAME = ");
+        let tables = TABLES.iter().filter(|known| known.name() == table && is_far(known));
         let own = |table: &&'static KeyTable| table.key(name(at)?).or_else(|| table.chosen());
         // `[input]` and `[[input]]` have keys of the same name.
         let found =

@@ -21,7 +21,7 @@ pub(super) fn faults(text: &str, places: &[(usize, usize)]) -> String {
 
 /// In other languages only what the scene says, its keys and units, and the parser's own words have Latin letters: whatever is
 /// no name of a text and not quoted is in the language, and a name is no sentence.
-fn assert_translated(scene: &str, errors: &SceneErrors) {
+pub(super) fn assert_translated(scene: &str, errors: &SceneErrors) {
     for language in ["uk", "ru"].map(|code| Language::find(code).unwrap()) {
         for error in &errors.errors {
             for text in [Some(&error.message), Some(&error.label), error.help.as_ref()].into_iter().flatten()

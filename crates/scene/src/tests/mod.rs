@@ -5,6 +5,7 @@ mod faults;
 mod labels;
 mod limits;
 mod over_time;
+mod places;
 mod robust;
 mod values;
 
@@ -16,16 +17,19 @@ pub(crate) const FIVE_BAR: &str = include_str!("five-bar.toml");
 pub(crate) const ARM: &str = include_str!("arm.toml");
 pub(crate) const BOOM: &str = include_str!("boom.toml");
 
+/// A scene with points in polar form and by two lengths.
+pub(crate) const PLACES: &str = include_str!("places.toml");
+
 /// The base scene with a motion that a drive can give.
 fn steady() -> String {
     BASE.replace("speed = \"900 rpm\"", "kind = \"steady\"\nmean_speed = \"900 rpm\"\nunevenness = 0.05")
 }
 
-/// The shipped scenes, and those over time.
+/// The shipped scenes, those over time, and one with points by all keys.
 pub(crate) fn fixtures() -> Vec<(String, String)> {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../fixtures");
-    let over_time = [("five-bar", FIVE_BAR), ("arm", ARM), ("boom-law", BOOM)];
-    let mut all: Vec<_> = over_time.map(|(name, text)| (name.to_owned(), text.to_owned())).into();
+    let others = [("five-bar", FIVE_BAR), ("arm", ARM), ("boom-law", BOOM), ("places", PLACES)];
+    let mut all: Vec<_> = others.map(|(name, text)| (name.to_owned(), text.to_owned())).into();
     for entry in std::fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();
         if path.extension().is_some_and(|extension| extension == "toml") {

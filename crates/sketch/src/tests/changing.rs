@@ -153,3 +153,50 @@ fn what_could_drive_drives_from_where_it_is() {
         }
     }
 }
+
+/// A crank with its pin in polar form, a point at it, and a plate.
+const PLATE: &str = r#"
+[ground]
+points = { O = 0, C = { r = "200 mm", angle = 0 } }
+[link.crank]
+points = { O = 0, A = { r = "50 mm", angle = "90 deg" }, E = { r = "20 mm", angle = 0, about = "A" } }
+[link.rod]
+points = { A = 0, B = "200 mm", P = { from = ["A", "B"], lengths = ["150 mm", "80 mm"] } }
+[link.rocker]
+points = { B = 0, C = "150 mm" }
+[input]
+link = "crank"
+[assembly]
+B = ["190 mm", "150 mm"]
+"#;
+
+#[test]
+fn a_place_that_is_a_table_becomes_two_coordinates_where_its_point_is_moved() {
+    let before = drawn(PLATE);
+    // The pivot of the rocker, a point of interest, and the apex of the plate.
+    let text = move_point(PLATE, &before, "C", [0.21, 0.01]).unwrap();
+    assert_eq!(text, PLATE.replace("{ r = \"200 mm\", angle = 0 }", "[\"210 mm\", \"10 mm\"]"));
+    let text = move_point(PLATE, &before, "E", [0.03, 0.06]).unwrap();
+    let place = "{ r = \"20 mm\", angle = 0, about = \"A\" }";
+    assert_eq!(text, PLATE.replace(place, "[\"30 mm\", \"60 mm\"]"));
+    let [x, y] = before.place("P").unwrap();
+    let (after, stay) = moved(PLATE, &before, "P", [x + 0.01, y]);
+    assert_eq!(stay.len(), after.points().count() - 1);
+    // What is given by a point follows it.
+    let (after, _) = moved(PLATE, &before, "A", [0.0, 0.06]);
+    assert!(apart(after.place("E").unwrap(), [0.02, 0.06]) < 1e-9);
+    // A table below a header of its own, too.
+    let place = "points = { O = 0, A = { r = \"50 mm\", angle = \"90 deg\" }, ";
+    let header = "[link.crank.points.A]\nr = 0.05\nangle = \"90 deg\"\n[link.crank.points]\nO = 0\n";
+    let own = PLATE.replace(&format!("[link.crank]\n{place}"), header).replace("\"A\" } }", "\"A\" }");
+    moved(&own, &drawn(&own), "A", [0.0, 0.06]);
+}
+
+#[test]
+fn a_point_is_not_moved_where_a_triangle_by_two_lengths_would_open() {
+    let flat = PLATE.replace("\"80 mm\"] }", "\"51 mm\"] }");
+    let before = drawn(&flat);
+    let [x, y] = before.place("B").unwrap();
+    let refused = move_point(&flat, &before, "B", [x + 0.05, y]).unwrap_err().to_string();
+    assert!(refused.starts_with("the triangle of `P` has a gap of "), "{refused}");
+}

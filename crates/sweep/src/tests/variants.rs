@@ -122,6 +122,30 @@ fn a_number_that_is_tied_to_others_is_read() {
 }
 
 #[test]
+fn a_number_of_which_a_place_is_made_is_read() {
+    let crank = |points: &str| {
+        let scene = SLIDER.replacen("A = \"100 mm\"", points, 1);
+        assert_ne!(scene, SLIDER);
+        scene
+    };
+    let polar = crank("A = { r = 0.1, angle = 0 }");
+    set_as_read(&polar, &["link.crank.points.A.r=80 mm..120 mm:3"], false);
+    set_as_read(
+        &polar,
+        &["link.crank.points.A.angle=-30 deg..30 deg:3", "link.piston.mass=1 kg..2 kg:2"],
+        false,
+    );
+    let plate = crank("A = 0.1, P = { from = [\"O\", \"A\"], lengths = [0.1, 0.1] }");
+    set_as_read(&plate, &["link.crank.points.P.lengths[0]=80 mm..120 mm:3"], false);
+    // With the pin moves what is given by it.
+    set_as_read(&plate, &["link.crank.points.A=80 mm..120 mm:3"], false);
+    // A triangle that can't be closed has no row, and its gap is told.
+    let open = run(&plate, &["link.crank.points.P.lengths[1]=0.1..0.3:3"], 1);
+    let message = open.status(2).unwrap().1;
+    assert!(message.contains("the triangle of `P` has a gap of 100 mm"), "{message}");
+}
+
+#[test]
 fn structure_and_plan_fit_as_if_made_anew() {
     for (name, scene) in SCENES {
         let Reading { mut mechanism, numbers, .. } = assur_scene::reading(name, scene).unwrap();
