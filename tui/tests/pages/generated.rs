@@ -13,7 +13,7 @@ use assur_words::Language;
 use super::root;
 
 /// Compares a file of docs with what it ought to be, or writes it.
-fn holds(name: &str, text: &str) {
+pub(super) fn holds(name: &str, text: &str) {
     let path = root().join("docs").join(name);
     if std::env::var("INSTA_UPDATE").is_ok_and(|update| update == "always") {
         fs::create_dir_all(path.parent().unwrap()).unwrap();
