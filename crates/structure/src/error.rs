@@ -109,6 +109,23 @@ fn links_named(links: &[String]) -> Text {
     text!("structure-links-named", count = links.len(), links = some(links, "`"))
 }
 
+/// Surplus pairs beside loose links; empty without any.
+fn also_surplus(pairs: &[String]) -> Text {
+    if pairs.is_empty() { Text::default() } else { text!("structure-loose-also", pairs = some(pairs, "")) }
+}
+
+/// How loose links could be held: two points of names that look alike, or points that stand alone.
+fn hint(alike: Option<&[String; 2]>, alone: &[String]) -> Text {
+    match alike {
+        None if alone.is_empty() => text!("structure-what-joins"),
+        None => text!("structure-alone", points = some(alone, "")),
+        Some(both) => {
+            let [one, other] = both.clone().map(name);
+            text!("structure-alike", one, other)
+        }
+    }
+}
+
 assur_words::errors!(StructureError; Registry(RegistryError));
 
 impl Describe for StructureError {
@@ -135,19 +152,8 @@ impl Describe for StructureError {
                 formula = name(counted.formula()),
                 links = links_named(links),
                 count = links.len(),
-                also = if surplus.is_empty() {
-                    Text::default()
-                } else {
-                    text!("structure-loose-also", pairs = some(surplus, ""))
-                },
-                hint = match alike {
-                    None if alone.is_empty() => text!("structure-what-joins"),
-                    None => text!("structure-alone", points = some(alone, "")),
-                    Some(both) => {
-                        let [one, other] = (**both).clone().map(name);
-                        text!("structure-alike", one, other)
-                    }
-                }
+                also = also_surplus(surplus),
+                hint = hint(alike.as_deref(), alone)
             ),
             Self::DependentInput { counted, inputs, input } => text!(
                 "structure-dependent-input",

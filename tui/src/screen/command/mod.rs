@@ -94,7 +94,6 @@ fn pass(state: &mut State, event: KeyEvent) {
     let filter = filter.or(state.picker.as_ref().map(|picker| &picker.filter));
     let typing = filter.is_some_and(|filter| filter.typing);
     let meant = meant.filter(|command| !typing && (filter.is_none() || OF_LISTS.contains(&command.name)));
-    let kind = state.picker.as_ref().map(|picker| picker.kind);
     match meant {
         Some(command) if command.name == "quit" && lies_over_the_view(state) => {
             // Without a scene there is nothing behind the list of scenes.
@@ -102,23 +101,30 @@ fn pass(state: &mut State, event: KeyEvent) {
             (if last { command.run } else { act::close })(state);
         }
         Some(command) if command.name == "help" && state.help.is_some() => state.help = None,
-        None if key.code == KeyCode::Esc => act::close(state),
         Some(command) => {
             state.fault = None;
             (command.run)(state);
         }
-        None if state.help.is_some() => press_in_help(state, key),
-        None if key.code == KeyCode::Tab && kind == Some(PickerKind::Scenes) => {
+        None => pass_in_view(state, key),
+    }
+}
+
+/// A key without a command goes to what lies over the view, else to the view.
+fn pass_in_view(state: &mut State, key: Key) {
+    match key.code {
+        KeyCode::Esc => act::close(state),
+        _ if state.help.is_some() => press_in_help(state, key),
+        KeyCode::Tab if state.picker.as_ref().is_some_and(|picker| picker.kind == PickerKind::Scenes) => {
             // A file of the user is named on the line.
             let typed = state.entry().map(|entry| format!("open {}", &**entry));
             state.open_prompt(PromptKind::Command, typed.unwrap_or_default());
         }
-        None if state.picker.is_some() => picker::press(state, key),
-        None if state.view == View::Build && state.fault.is_none() => {
+        _ if state.picker.is_some() => picker::press(state, key),
+        _ if state.view == View::Build && state.fault.is_none() => {
             let help = name(state.keys.first("help"));
             state.say(Role::Plain, text!("say-no-key-here", key = name(key.name()), help));
         }
-        None => state.fault = None,
+        _ => state.fault = None,
     }
 }
 
