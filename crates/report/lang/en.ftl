@@ -100,6 +100,7 @@ fact-multiplier = Floquet multiplier of the speed
 # The task.
 given-gravity = weights of the links
 given-force = force at ({ $place }) of { $link }
+given-force-at = force at { $point } of { $link }
 given-along-ground = at { $angle } to the x axis
 given-along-link = at { $angle } to the x axis of the link
 given-against-motion = against the velocity of the point
@@ -108,6 +109,9 @@ given-brake = brake on { $link }, radius { $radius }, lever ratio { $lever }, co
 given-spring = spring and damper between { $one } and { $other }
 given-spring-data = { $stiffness }, free length { $length }, damping { $damping }
 given-contact = contact force on the arc of { $link }, radius { $radius }, coefficient of friction { $friction }
+given-journal = journal of { $link }, radius { $radius }
+given-pressed-place = pressed at one place
+given-pressed-faces = pressed on both ends: length { $length }, faces { $offset } from the guide line
 given-table = table over { $over } ({ $by }; { $unit }): { $rows }
 given-over-coordinate = the input coordinate
 given-over-time = time
@@ -207,6 +211,8 @@ head-inputs = Inputs
 head-driven = Driven pairs
 head-overlap = Overlap
 head-pair = Pair
+head-surfaces = Surfaces
+head-coefficient = Coefficient
 head-pair-on = Pair, on link
 head-place = Place
 head-point = Point
@@ -273,12 +279,13 @@ report-task = Task
 report-task-text = The mechanism is calculated in { $positions ->
         [one] { $positions } position
        *[other] { $positions } positions
-    } of the input link { $link }. Lengths are in millimeters in the frame of each link, whose origin is its first point.
+    } of the input link { $link }. Lengths are in millimeters, in the frame of each link.
 report-points = Points in the frames of their links
 report-slides = Slides: the point of the sliding link, and the guide line in the frame of the link that carries it
 report-masses = Masses, centers of mass in the frames of the links, moments of inertia about them
 report-massless = All links are massless.
 report-given-loads = Loads as they are given
+report-given-friction = Friction of the pairs as it is given
 report-given-motion = Motion and drive as they are given
 report-shown-positions = Shown positions
 report-positions-shown = The tables show { $shown } of { $all } positions; greatest values are those of all. All positions are written by `-o FILE.parquet`, `--format csv -o FOLDER` or `--format json`.

@@ -107,6 +107,7 @@ fact-multiplier = множитель устойчивости режима
 # Задание.
 given-gravity = силы тяжести звеньев
 given-force = сила в точке ({ $place }) звена «{ $link }»
+given-force-at = сила в точке { $point } звена «{ $link }»
 given-along-ground = под углом { $angle } к оси x
 given-along-link = под углом { $angle } к оси x звена
 given-against-motion = против скорости точки
@@ -115,6 +116,9 @@ given-brake = тормоз на звене «{ $link }», радиус { $radius
 given-spring = пружина и демпфер между { $one } и { $other }
 given-spring-data = { $stiffness }, свободная длина { $length }, демпфирование { $damping }
 given-contact = контактная сила на дуге звена «{ $link }», радиус { $radius }, коэффициент трения { $friction }
+given-journal = цапфа звена «{ $link }», радиус { $radius }
+given-pressed-place = прижато в одном месте
+given-pressed-faces = прижато на обоих концах: длина { $length }, поверхности на расстоянии { $offset } от линии направляющей
 given-table = таблица по { $over } ({ $by }; { $unit }): { $rows }
 given-over-coordinate = обобщённой координате
 given-over-time = времени
@@ -214,6 +218,8 @@ head-inputs = Входы
 head-driven = Ведущие пары
 head-overlap = Перекрытие
 head-pair = Пара
+head-surfaces = Поверхности
+head-coefficient = Коэффициент
 head-pair-on = Пара, на звено
 head-place = Где
 head-point = Точка
@@ -280,12 +286,13 @@ report-task = Задание
 report-task-text = Механизм рассчитан в { $positions ->
         [one] { $positions } положении
        *[other] { $positions } положениях
-    } входного звена «{ $link }». Длины даны в миллиметрах в системе координат каждого звена, начало которой — его первая точка.
+    } входного звена «{ $link }». Длины даны в миллиметрах в системе координат каждого звена.
 report-points = Точки в системах координат звеньев
 report-slides = Поступательные пары: точка скользящего звена и линия направляющей в системе координат звена, которое её несёт
 report-masses = Массы, центры масс в системах координат звеньев, моменты инерции относительно них
 report-massless = Все звенья невесомы.
 report-given-loads = Нагрузки, как они заданы
+report-given-friction = Трение в парах, как оно задано
 report-given-motion = Движение и привод, как они заданы
 report-shown-positions = Показанные положения
 report-positions-shown = Таблицы показывают положений: { $shown } из { $all }; наибольшие значения — среди всех. Все положения записывают `-o FILE.parquet`, `--format csv -o FOLDER` или `--format json`.

@@ -107,6 +107,7 @@ fact-multiplier = множник стійкості режиму
 # Завдання.
 given-gravity = сили ваги ланок
 given-force = сила в точці ({ $place }) ланки «{ $link }»
+given-force-at = сила в точці { $point } ланки «{ $link }»
 given-along-ground = під кутом { $angle } до осі x
 given-along-link = під кутом { $angle } до осі x ланки
 given-against-motion = проти швидкості точки
@@ -115,6 +116,9 @@ given-brake = гальмо на ланці «{ $link }», радіус { $radius
 given-spring = пружина й демпфер між { $one } і { $other }
 given-spring-data = { $stiffness }, вільна довжина { $length }, демпфування { $damping }
 given-contact = контактна сила на дузі ланки «{ $link }», радіус { $radius }, коефіцієнт тертя { $friction }
+given-journal = цапфа ланки «{ $link }», радіус { $radius }
+given-pressed-place = притиснуто в одному місці
+given-pressed-faces = притиснуто на обох кінцях: довжина { $length }, поверхні на відстані { $offset } від лінії напрямної
 given-table = таблиця за { $over } ({ $by }; { $unit }): { $rows }
 given-over-coordinate = узагальненою координатою
 given-over-time = часом
@@ -214,6 +218,8 @@ head-inputs = Входи
 head-driven = Ведучі пари
 head-overlap = Перекриття
 head-pair = Пара
+head-surfaces = Поверхні
+head-coefficient = Коефіцієнт
 head-pair-on = Пара, на ланку
 head-place = Де
 head-point = Точка
@@ -280,12 +286,13 @@ report-task = Завдання
 report-task-text = Механізм розраховано в { $positions ->
         [one] { $positions } положенні
        *[other] { $positions } положеннях
-    } вхідної ланки «{ $link }». Довжини подано в міліметрах у системі координат кожної ланки, початок якої — її перша точка.
+    } вхідної ланки «{ $link }». Довжини подано в міліметрах у системі координат кожної ланки.
 report-points = Точки в системах координат ланок
 report-slides = Поступальні пари: точка ковзної ланки та лінія напрямної в системі координат ланки, що її несе
 report-masses = Маси, центри мас у системах координат ланок, моменти інерції відносно них
 report-massless = Усі ланки невагомі.
 report-given-loads = Навантаження, як їх задано
+report-given-friction = Тертя в парах, як його задано
 report-given-motion = Рух і привод, як їх задано
 report-shown-positions = Показані положення
 report-positions-shown = Таблиці показують положень: { $shown } з { $all }; найбільші значення — серед усіх. Усі положення записують `-o FILE.parquet`, `--format csv -o FOLDER` або `--format json`.

@@ -19,7 +19,7 @@ const WIDTH: usize = 100;
 #[derive(Debug, Clone, Args)]
 pub(crate) struct KeysArgs {
     /// A key, a table, a word of their descriptions, or a word of the field; without it, all keys
-    #[arg(value_parser = Word)]
+    #[arg(value_parser = Word, hide_possible_values = true)]
     word: Option<String>,
     /// Form of the reference
     #[arg(long, value_enum, default_value_t = Form::Text)]

@@ -104,5 +104,5 @@ fn the_recipes_run_as_they_stand() {
 
 #[test]
 fn the_first_hour_runs_as_it_stands() {
-    assert_eq!(played(&page("docs/first-hour.md")), 8, "commands of the page");
+    assert_eq!(played(&page("docs/first-hour.md")), 10, "commands of the page");
 }

@@ -2,8 +2,8 @@
 
 use assur_book::{Cell, Column, Document, Fact, Table, Unit, link_name, row};
 use assur_mechanism::{
-    Direction, Drive, Driver, Force, Inertia, LawTable, LinkId, LoadKind, Mechanism, Motion, MotorChoice,
-    Over, Solve, TimeLaw, Torque, Value, VaryingInertia,
+    Direction, Drive, Driver, Force, Friction, Inertia, LawTable, LinkId, LoadKind, Mechanism, Motion,
+    MotorChoice, Over, Place, Solve, Surfaces, TimeLaw, Torque, Value, VaryingInertia,
 };
 use assur_words::{Text, joined, list, name, text, unit};
 
@@ -12,7 +12,7 @@ use super::Source;
 /// Of a longer table the first rows are shown.
 const MOST_ROWS: usize = 12;
 
-/// Each load: where and how it acts, and the law of its value.
+/// Each load: where and how it acts, and the law of its value; then the friction of the pairs.
 pub fn loads_given(source: &Source<'_>, page: &mut Document) {
     let mechanism = source.mechanism;
     let heads = [text!("head-load"), text!("head-acts"), text!("head-value")].map(Column::of);
@@ -26,6 +26,27 @@ pub fn loads_given(source: &Source<'_>, page: &mut Document) {
         rows.row(row![Text::from(&load.name), what, value]);
     }
     page.table(rows);
+    friction_given(mechanism, page);
+}
+
+/// Each pair with friction: its coefficient, and the surfaces that slide on each other.
+fn friction_given(mechanism: &Mechanism, page: &mut Document) {
+    let surfaces = |friction: &&Friction| match friction.surfaces {
+        Surfaces::Journal { radius, owner } => {
+            text!("given-journal", link = link_name(mechanism, owner), radius = Unit::LENGTH.show(radius))
+        }
+        Surfaces::Place => text!("given-pressed-place"),
+        Surfaces::Faces { length, offset, .. } => text!(
+            "given-pressed-faces",
+            length = Unit::LENGTH.show(length),
+            offset = Unit::LENGTH.show(offset)
+        ),
+    };
+    let table = Table::each(text!("report-given-friction"), &mechanism.frictions)
+        .column(text!("head-pair"), |friction| mechanism.pair_name(friction.pair))
+        .column(text!("head-surfaces"), surfaces)
+        .measured(text!("head-coefficient"), Unit::NONE, |friction| friction.coefficient);
+    page.table(table.table());
 }
 
 /// Where and how a load acts, and the law of its value.
@@ -34,8 +55,7 @@ fn given(mechanism: &Mechanism, load: &LoadKind) -> (Text, Text) {
     let law = |value: &Value, unit| law(mechanism, value, unit);
     match load {
         LoadKind::Force(Force { at, direction: along, value }) => {
-            let place = text!("given-force", place = Unit::LENGTH.show_all(&at.at), link = link(at.link));
-            (list([place, direction(*along)]), law(value, Unit::FORCE.name))
+            (list([acts_at(mechanism, *at), direction(*along)]), law(value, Unit::FORCE.name))
         }
         LoadKind::Moment(moment) => {
             (text!("given-moment", link = link(moment.link)), law(&moment.value, Unit::MOMENT.name))
@@ -69,6 +89,16 @@ fn given(mechanism: &Mechanism, load: &LoadKind) -> (Text, Text) {
             );
             (what, law(&contact.force, Unit::FORCE.name))
         }
+    }
+}
+
+/// Where a force acts: at a point of its link that has a name, else at a place in its frame.
+fn acts_at(mechanism: &Mechanism, at: Place) -> Text {
+    let link = link_name(mechanism, at.link);
+    let is_there = |id: usize| mechanism.place_in(id, at.link) == Some(at.at);
+    match (0..mechanism.points.len()).find(|id| is_there(*id)) {
+        Some(id) => text!("given-force-at", point = Text::from(&mechanism.points[id].name), link),
+        None => text!("given-force", place = Unit::LENGTH.show_all(&at.at), link),
     }
 }
 

@@ -6,7 +6,8 @@ use assur_words::{Language, Text, name, text};
 use super::key::SceneKey;
 use super::table::{KeyTable, TABLES};
 
-/// Tables with those of their keys that a word is about; all keys of a table of that name.
+/// Tables with those of their keys that a word is about; all keys of a table of that name. Letters within words count where no word
+/// begins with them.
 pub fn search<'w>(
     word: &'w str,
     language: &'w Language,
@@ -14,13 +15,15 @@ pub fn search<'w>(
     let (word, whole) = (word.trim().trim_matches(['[', ']']).to_lowercase(), word.is_empty());
     // The name of a table stands for the table and for keys of that name, not for every sentence in which it occurs.
     let names_table = TABLES.iter().any(|table| !table.header.is_empty() && table.name() == word);
+    let mut all = TABLES.iter().flat_map(|table| &table.keys);
+    let begin = all.any(|key| key.speaks_of(&word, true, language));
     TABLES.iter().filter_map(move |table| {
         let (owner, own) = word.rsplit_once('.').unwrap_or(("", &word));
         let is_table = table.name() == word
             || (table.header.contains(".NAME") && table.name() == owner && own == "name");
         let of_table = |key: &SceneKey| !owner.is_empty() && table.name() == owner && key.name == own;
         let found = |key: &&SceneKey| {
-            let speaks = if names_table { key.name == word } else { key.speaks_of(&word, language) };
+            let speaks = if names_table { key.name == word } else { key.speaks_of(&word, begin, language) };
             whole || is_table || of_table(key) || speaks
         };
         let keys: Vec<_> = table.keys.iter().filter(found).collect();

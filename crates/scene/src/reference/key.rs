@@ -89,10 +89,17 @@ impl SceneKey {
         self.limits.describe()
     }
 
-    /// Whether it, or the sentence on it, contains a word.
-    pub(super) fn speaks_of(&self, word: &str, language: &Language) -> bool {
+    /// Whether its names, its words or the sentence on it have these letters, which are in lower case; `begin`: at the beginning of
+    /// a word.
+    pub(super) fn speaks_of(&self, letters: &str, begin: bool, language: &Language) -> bool {
         let names = self.also.split(", ").chain([self.name]);
-        names.chain(self.words()).any(|own| own.to_lowercase().contains(word))
-            || text!(self.about).render(language).to_lowercase().contains(word)
+        names.chain(self.words()).any(|own| has(&own.to_lowercase(), letters, begin))
+            || has(&text!(self.about).render(language).to_lowercase(), letters, begin)
     }
+}
+
+/// Whether a text has these letters; `begin`: at the beginning of a word.
+fn has(text: &str, letters: &str, begin: bool) -> bool {
+    let begins = |at: usize| !text[..at].chars().next_back().is_some_and(char::is_alphanumeric);
+    text.match_indices(letters).any(|(at, _)| !begin || begins(at))
 }

@@ -352,6 +352,13 @@ fn a_word_finds_the_keys_that_it_is_about() {
     );
     assert!(names("kloss").contains(&"drive.characteristic".to_owned()));
     assert!(names("nothing like it").is_empty());
+    // A word is looked for from its beginning; where none begins so, within words.
+    let over = names("over");
+    assert!(
+        over.contains(&"value.over".to_owned()) && !over.iter().any(|key| key.starts_with("note.")),
+        "{over:?}"
+    );
+    assert!(names("evenness").contains(&"motion.unevenness".to_owned()));
 }
 
 #[test]
