@@ -15,7 +15,7 @@ use crate::bounds::Bounds;
 use crate::model::{Figure, Frame, Item, Panel, Point, Stroke};
 use crate::page::{self, EM, Element, Names, Room, Style, plain, plane};
 use crate::sign::{Form, shapes};
-use crate::svg::lowered;
+use crate::letters::{Level, levels};
 use crate::trace::Paper;
 use write::{Drawing, Layer};
 
@@ -134,7 +134,7 @@ impl<'a> Sheet<'a> {
             Paper { place: |at: Point| [at[0] / self.scale, -at[1] / self.scale], em: EM, gap: 0.1 * EM };
         let marks: Vec<Item> = panel.items.iter().flat_map(|item| paper.marks(item)).collect();
         let mut names =
-            Names::new(Room { left: -PAPER, top: -PAPER, width: 2.0 * PAPER, height: 2.0 * PAPER }, EM);
+            Names::new(Room { left: -PAPER, top: -PAPER, width: 2.0 * PAPER, height: 2.0 * PAPER, scale: 0.0 }, EM);
         for mark in &marks {
             draw_lines(mark, &mut names, drawing);
         }
@@ -172,11 +172,14 @@ impl<'a> Sheet<'a> {
     }
 }
 
-/// A text whose subscripts stand on its line.
+/// A text whose subscripts and superscripts stand on its line.
 fn flat(text: &str) -> String {
-    lowered(text)
-        .map(|(part, low)| if low.is_empty() { part.to_owned() } else { format!("{part}_{low}") })
-        .collect()
+    let part = |(part, level)| match level {
+        Level::Line => part,
+        Level::Below => format!("_{part}"),
+        Level::Above => format!("^{part}"),
+    };
+    levels(text).map(|(own, level)| part((own.to_owned(), level))).collect()
 }
 
 /// Lines, outlines and signs.

@@ -11,6 +11,8 @@ pub use element::{Anchor, Element, Form, color};
 use assur_words::{Language, Text};
 
 use crate::model::{Figure, Frame, Ink, Item, Panel, Point, Sign, Stroke};
+use crate::number::round_up;
+use crate::scale::SCALES;
 use crate::sign::{self, Shape, shapes};
 use element::{circle, polygon, polyline};
 pub(crate) use names::Names;
@@ -98,6 +100,8 @@ pub(crate) struct Room {
     pub(crate) top: f64,
     pub(crate) width: f64,
     pub(crate) height: f64,
+    /// The least scale of a plane in it, units in a millimeter, where it has that of other planes; else 0.
+    pub(crate) scale: f64,
 }
 
 /// A page, mm.
@@ -203,7 +207,7 @@ fn cells(figure: &Figure, [width, height]: [f64; 2], print: &Print<'_>) -> Vec<R
     let cell = |index: usize| {
         let (row, column) = (index / columns, index % columns);
         let top = row as f64 * height + (0..row).map(below).sum::<f64>();
-        Room { left: column as f64 * width, top, width, height: height + below(row) }
+        Room { left: column as f64 * width, top, width, height: height + below(row), scale: 0.0 }
     };
     (0..figure.panels.len()).map(cell).collect()
 }
@@ -215,11 +219,16 @@ fn shrunk(figure: &Figure, [width, height]: [f64; 2], print: &Print<'_>) -> (Vec
     let columns = figure.columns.max(1);
     let mut rooms = cells(figure, [width, height], print);
     let mut used = [0.0_f64; 2];
+    let scale = common_scale(figure, &rooms, width, print);
     for (row, panels) in rooms.chunks_mut(columns).zip(figure.panels.chunks(columns)) {
         let share = SHARE.min(width / panels.len() as f64);
         let mut rest = width - share * panels.len() as f64;
         for (room, panel) in row.iter_mut().zip(panels).filter(|(_, panel)| is_plane(panel)) {
-            *room = plane::shrunk(panel, Room { width: share + rest, ..*room }, print);
+            let free = Room { width: share + rest, ..*room };
+            *room = match scale {
+                Some(scale) => plane::at_scale(panel, Room { width: share, ..free }, scale, print),
+                None => plane::shrunk(panel, free, print),
+            };
             rest += share - room.width;
         }
         let curves = panels.iter().filter(|panel| !is_plane(panel)).count();
@@ -227,12 +236,40 @@ fn shrunk(figure: &Figure, [width, height]: [f64; 2], print: &Print<'_>) -> (Vec
         let mut left = 0.0;
         for (room, panel) in row.iter_mut().zip(panels) {
             let width = if is_plane(panel) { room.width } else { share + rest / curves as f64 };
-            *room = Room { left, top: used[1], width, height: high };
+            *room = Room { left, top: used[1], width, height: high, ..*room };
             left += width;
         }
         used = [used[0].max(left), used[1] + high];
     }
     (rooms, used)
+}
+
+/// The finest round scale in which all planes of a figure have room, beside each other in a width; `None` where they are not of one kind, or
+/// alone.
+fn common_scale(figure: &Figure, rooms: &[Room], width: f64, print: &Print<'_>) -> Option<f64> {
+    /// Steps of the series of scales, which are tried: to the hundredfold and more.
+    const STEPS: usize = 16;
+    let first = plane::kind(figure.panels.first()?)?;
+    if figure.panels.len() < 2 || figure.panels.iter().any(|panel| plane::kind(panel) != Some(first)) {
+        return None;
+    }
+    let columns = figure.columns.max(1);
+    let of_row = |scale: f64, (row, panels): (&[Room], &[Panel])| {
+        let share = width / panels.len() as f64;
+        let needed = |(room, panel): (&Room, &Panel)| {
+            plane::at_scale(panel, Room { width: share, ..*room }, scale, print)
+        };
+        let all: Vec<Room> = row.iter().zip(panels).map(needed).collect();
+        all.iter().map(|own| own.width).sum::<f64>() <= width
+            && all.iter().zip(row).all(|(own, room)| own.height <= room.height)
+    };
+    let fits = |scale: &f64| {
+        rooms.chunks(columns).zip(figure.panels.chunks(columns)).all(|row| of_row(*scale, row))
+    };
+    let free = |(room, panel): (&Room, &Panel)| plane::scale_in(panel, Room { width, ..*room }, print);
+    let least = rooms.iter().zip(&figure.panels).filter_map(free).fold(0.0, f64::max);
+    let next = |scale: &f64| Some(round_up(scale * 1.01, &SCALES));
+    std::iter::successors(Some(least), next).take(STEPS).find(fits)
 }
 
 /// A heading without the quotes by which names of the scene are told apart in running text.

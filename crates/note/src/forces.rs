@@ -7,7 +7,7 @@ use assur_diagram::PlanVector;
 use assur_figure::{Figure, Ink, Item, Panel, Stroke};
 use assur_force::{Construction, ConstructionStep, VectorKind};
 use assur_picture::forces::{self, beside_friction};
-use assur_picture::{Look, Reaction, Series, ViewPart, curves, mechanism, plans, plots};
+use assur_picture::{Look, Reaction, Series, ViewPart, curves, mechanism, plans, plots, polygons};
 use assur_report::topic;
 use assur_words::{Text, list, measured, name, number, text, unit};
 
@@ -82,21 +82,20 @@ fn polygons(context: &Context<'_>, page: &mut Document) {
     let numbered = context.language.with_marks(mechanism::numbers(&results.linkage.mechanism));
     // Links have their numbers in symbols, as in the formulas.
     let in_print = |text: &Text| name(text.render(&numbered));
-    for (polygon, links) in plans::bodies(results).iter().enumerate() {
+    for (polygon, links) in polygons::bodies(results).iter().enumerate() {
         let vectors = |position: &usize| {
-            let all = plans::vectors(results, *position, polygon, links).into_iter();
+            let all = polygons::vectors(results, *position, polygon, links).into_iter();
             all.map(|(symbol, item)| (*position, in_print(&symbol), item)).collect::<Vec<_>>()
         };
         let vectors: Vec<Row> = context.positions.iter().flat_map(vectors).collect();
         let drawn = |look: &Look<'_>| {
-            let mut figure = plans::polygon(results, look.position, polygon, links);
+            let mut figure = polygons::polygon(results, look.position, polygon, links);
             for item in figure.panels.iter_mut().flat_map(|panel| &mut panel.items) {
                 if let Item::Name { text, .. } = item {
                     *text = in_print(text);
                 }
             }
-            // The table has the sizes of all positions.
-            Figure { legend: Vec::new(), ..figure }
+            figure
         };
         let plan = found.plans.at(context.positions[0]);
         let plan = plan.sheet.as_ref().ok().and_then(|sheet| sheet.polygons.get(polygon));

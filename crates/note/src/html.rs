@@ -126,11 +126,11 @@ fn table(text: &mut String, caption: &str, grid: &Grid) -> fmt::Result {
 }
 
 fn rich(text: &str) -> String {
-    sheet::rich(text, escaped, |low| format!("<sub>{}</sub>", escaped(low)))
+    sheet::rich(text, escaped, |tag, part| format!("<{tag}>{}</{tag}>", escaped(part)))
 }
 
 fn equation(sheet: &NoteSheet<'_>, terms: &[Term]) -> String {
-    let line = |text: &Text| escaped(&sheet.line(text));
+    let line = |text: &Text| escaped(&sheet.plain(text));
     let term = |term: &Term| match term {
         Term::Symbol(symbol) => {
             let below = escaped(&sheet.below(symbol));
@@ -140,7 +140,7 @@ fn equation(sheet: &NoteSheet<'_>, terms: &[Term]) -> String {
         Term::Function("sqrt") => "√".to_owned(),
         Term::Sign(_) | Term::Comma => line(&term.text()).replace('*', "·").replace('-', "−"),
         Term::Square => "<sup>2</sup>".to_owned(),
-        Term::Words(text) => format!("\u{2003}({})", line(text)),
+        Term::Words(text) => format!("\u{2003}({})", rich(&sheet.line(text))),
         Term::Function(_) | Term::Number(_) | Term::Unit(_) => line(&term.text()),
     };
     terms.iter().map(term).collect()

@@ -1,7 +1,7 @@
 //! What a form writes: texts and tables in the words of the language.
 
 use assur_book::{Block, Printed, Table};
-use assur_figure::svg::lowered;
+use assur_figure::letters::{Level, indexed, levels};
 use assur_words::{Language, Text, joined, number, unit};
 use assur_worksheet::Symbol;
 
@@ -26,6 +26,11 @@ pub(super) struct Grid {
 
 impl NoteSheet<'_> {
     pub(super) fn line(&self, text: &Text) -> String {
+        indexed(&self.plain(text))
+    }
+
+    /// A text as it stands in an equation, whose symbols have their subscripts apart.
+    pub(super) fn plain(&self, text: &Text) -> String {
         // Signs of print, in every language; names need no quotes on paper.
         text.render(self.language).replace("->", "→").replace('`', "")
     }
@@ -110,10 +115,17 @@ fn with_subscript(head: String) -> String {
     }
 }
 
-/// A text with its subscripts in a form: what writes a text in which nothing is markup, and what writes a subscript.
-pub(super) fn rich(text: &str, plain: impl Fn(&str) -> String, low: impl Fn(&str) -> String) -> String {
-    let part = |(part, below): (&str, &str)| {
-        plain(part) + &if below.is_empty() { String::new() } else { low(below) }
+/// A text with its subscripts and superscripts in a form: what writes a text in which nothing is markup, and what writes one of these,
+/// `sub` or `sup`.
+pub(super) fn rich(
+    text: &str,
+    plain: impl Fn(&str) -> String,
+    small: impl Fn(&'static str, &str) -> String,
+) -> String {
+    let part = |(part, level): (&str, Level)| match level {
+        Level::Line => plain(part),
+        Level::Below => small("sub", part),
+        Level::Above => small("sup", part),
     };
-    lowered(text).map(part).collect()
+    levels(text).map(part).collect()
 }

@@ -42,7 +42,8 @@ sheet-links = { $count ->
    *[other] звенья
 } { $links }
 sheet-polygon = План сил, { $of }: { $place }
-sheet-symbols = Обозначения сил и моментов
+sheet-symbols = Силы и моменты
+sheet-lever-forces = Силы на рычаге Жуковского и их плечи
 sheet-letter-of-study = У
 sheet-field-mechanism = механизм
 sheet-field-diagrams = диаграммы

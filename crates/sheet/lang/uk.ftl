@@ -42,7 +42,8 @@ sheet-links = { $count ->
    *[other] ланки
 } { $links }
 sheet-polygon = План сил, { $of }: { $place }
-sheet-symbols = Позначення сил і моментів
+sheet-symbols = Сили й моменти
+sheet-lever-forces = Сили на важелі Жуковського та їхні плечі
 sheet-letter-of-study = Н
 sheet-field-mechanism = механізм
 sheet-field-diagrams = діаграми
