@@ -143,7 +143,7 @@ fn over_cycle(context: &Context<'_>, page: &mut Document) {
     let symbol = balance.map(|index| unit(found.series[*index].unit.name));
     // All of them together, as L fig. 2 has them.
     for picked in moduli.chunks(MOST_REACTIONS) {
-        let together = curves::figure(results, &Look { picked, ..context.first() });
+        let together = curves::with_legend(results, &Look { picked, ..context.first() });
         let caption = context.with_legend(text!("note-reactions-drawn"));
         show(page, "note-see-reactions", (on_paper(together), CURVE), caption);
     }

@@ -93,7 +93,7 @@ fn cover(cover: &Cover, line: &impl Fn(&Text) -> String) -> String {
     let (word, discipline) = &cover.discipline;
     let _ = write!(
         text,
-        "</div><div><p class=\"what\">{}</p><p>{} {}</p><h1>{}</h1></div><table>",
+        "</div><div><p class=\"what\">{}</p><p>{}: {}</p><h1>{}</h1></div><table>",
         line(&cover.what),
         line(word),
         filled(discipline.as_ref()),

@@ -119,5 +119,7 @@ fn sheet<'a>(results: &Results, note: &Note, language: &'a Language) -> Result<N
     let Document { blocks, .. } = document(results, note, &positions)?;
     let cover = Cover::of(note, Text::from(&mechanism.title));
     let numbered = language.with_marks(mechanism::numbers(mechanism));
-    Ok(NoteSheet { cover, blocks, language, numbered, digits: note.digits })
+    let mut sheet = NoteSheet { cover, blocks, language, numbered, digits: note.digits };
+    sheet.formulas();
+    Ok(sheet)
 }

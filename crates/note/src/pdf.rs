@@ -1,6 +1,7 @@
 //! A note as PDF: pages of A4 with the letters that they use. A picture that doesn't fit on a page waits for the next one, so that the
 //! text goes on in its place.
 
+mod front;
 mod lines;
 mod table;
 
@@ -8,7 +9,6 @@ use assur_book::{Block, Term};
 use assur_figure::{Anchor, Element, Figure, Ink, Page, Style, elements};
 use assur_words::{Text, number, text};
 
-use super::cover::Cover;
 use super::sheet::NoteSheet;
 use lines::wrapped;
 
@@ -35,6 +35,8 @@ const KEPT: f64 = 36.0;
 const FULL: f64 = 0.7;
 /// Lines of a paragraph that no page divides.
 const UNDIVIDED: usize = 3;
+/// What must fit below a paragraph that leads to an equation, mm.
+const LEADING: f64 = 8.0;
 /// Height of a heading in a chapter, mm.
 const HEADED: f64 = 14.0;
 /// Width of a rule that is to be filled in by hand, mm, and of the lines of tables.
@@ -111,71 +113,54 @@ impl Pages {
         self.page().push(Element::text(at, words, size, Anchor::Start, Ink::Text));
     }
 
-    fn paragraph(&mut self, words: &str, size: f64) {
+    /// A paragraph with so much room below it, mm.
+    fn paragraph(&mut self, words: &str, size: f64, below: f64) {
         let lines = wrapped(words, WIDTH, size);
-        if lines.len() <= UNDIVIDED {
-            self.need(LINE * size * lines.len() as f64);
-        }
-        for line in &lines {
+        let high = |count: usize| LINE * size * count as f64;
+        for (at, line) in lines.iter().enumerate() {
+            // No page begins or ends with one line of several.
+            match lines.len() - at {
+                left if left == lines.len() && left <= UNDIVIDED => self.need(high(left) + below),
+                2 => self.need(high(2) + below),
+                _ if at == 0 => self.need(high(2)),
+                _ => {}
+            }
             self.line(line, size, 0.0);
         }
         self.y += APART;
     }
 
-    /// A heading with what must stand below it, and so much more.
-    fn heading(&mut self, words: &str, size: f64, more: f64) {
+    /// A heading with so much below it, mm; `begins`: whether pictures that wait stand before it.
+    fn heading(&mut self, words: &str, size: f64, below: f64, begins: bool) {
         // Pictures that wait belong to what is above, where this doesn't leave a page half empty.
-        if !self.waiting.is_empty() && self.y > TOP + FULL * (LAST - TOP) {
+        if begins && !self.waiting.is_empty() && self.y > TOP + FULL * (LAST - TOP) {
             self.begin();
         }
-        self.need(KEPT + more);
+        // What is higher than a page fits on none.
+        self.need(below.min(LAST - TOP));
         self.y += APART;
-        self.paragraph(words, size);
+        self.paragraph(words, size, 0.0);
     }
 }
 
 /// The whole file; `None` where its letters can't be taken from the font that is built in.
 pub(super) fn write(sheet: &NoteSheet<'_>) -> Option<Vec<u8>> {
     let mut pages = Pages::default();
-    cover(&sheet.cover, sheet, &mut pages);
+    front::cover(&sheet.cover, sheet, &mut pages);
     // The contents have room on the second page; the numbers of pages are known at the end.
     pages.begin();
-    pages.y = TOP + contents_height(sheet.chapters().count());
-    let (mut chapters, [mut equations, mut tables]) = (Vec::new(), [0_usize; 2]);
-    for (at, block) in sheet.blocks.iter().enumerate() {
-        match block {
-            Block::Title(_) => {}
-            Block::Heading(title) => {
-                let title = sheet.line(title);
-                let next = sheet.blocks.get(at + 1);
-                let more = if matches!(next, Some(Block::Subheading(_))) { HEADED } else { 0.0 };
-                pages.heading(&title, HEADING, more);
-                chapters.push((title, pages.done.len()));
-            }
-            Block::Subheading(title) => pages.heading(&sheet.line(title), SUBHEADING, 0.0),
-            Block::Paragraph(words) => {
-                sheet.paragraphs(words).iter().for_each(|words| pages.paragraph(words, BODY));
-            }
-            Block::Equation(terms) => {
-                equations += 1;
-                equation(&mut pages, &written(sheet, terms), equations);
-            }
-            Block::Figure { frames, size, caption } => {
-                pages.float(picture(sheet, &frames[0], *size, &sheet.line(caption)));
-            }
-            Block::Table(_) | Block::Facts { .. } => {
-                tables += 1;
-                if let Some(of) = block.as_table() {
-                    let again = sheet.line(&text!("note-table-goes-on", number = number(tables)));
-                    table::put(&mut pages, [&sheet.line(&of.caption), &again], &sheet.grid(&of));
-                }
-            }
-        }
+    pages.y = TOP + front::contents_height(sheet.chapters().count());
+    let mut body = Body { sheet, pages, chapters: Vec::new(), equations: 0, tables: 0 };
+    let mut rest = &sheet.blocks[..];
+    while !rest.is_empty() {
+        let done = body.block(rest);
+        rest = &rest[done..];
     }
+    let Body { mut pages, chapters, .. } = body;
     while !pages.waiting.is_empty() {
         pages.begin();
     }
-    contents(sheet, &mut pages.done[1], &chapters);
+    front::contents(sheet, &mut pages.done[1], &chapters);
     for (number, page) in pages.done.iter_mut().enumerate().skip(1) {
         let at = [LEFT + WIDTH, PAPER[1] - 12.0];
         page.push(Element::text(at, &(number + 1).to_string(), BODY, Anchor::End, Ink::Text));
@@ -184,58 +169,97 @@ pub(super) fn write(sheet: &NoteSheet<'_>) -> Option<Vec<u8>> {
     assur_pdf::write(&sheet.line(&sheet.cover.title), &all)
 }
 
-/// The cover; what is left out is a rule.
-fn cover(cover: &Cover, sheet: &NoteSheet<'_>, pages: &mut Pages) {
-    let middle = LEFT + 0.5 * WIDTH;
-    let page = pages.page();
-    let mut y = 30.0;
-    let mut put = |(word, row): (Option<&Text>, Option<&Text>), size: f64, [x, above]: [f64; 2], anchor| {
-        y += above;
-        let word = word.map_or_else(String::new, |word| sheet.line(word) + ": ");
-        if let Some(row) = row {
-            let lines = wrapped(&(word + &sheet.line(row)), WIDTH, size);
-            for (number, line) in lines.iter().enumerate() {
-                y += if number > 0 { LINE * size } else { 0.0 };
-                page.push(Element::text([x, y], line, size, anchor, Ink::Text));
+/// What is written of the blocks so far.
+struct Body<'a> {
+    sheet: &'a NoteSheet<'a>,
+    pages: Pages,
+    /// The chapters with their pages.
+    chapters: Vec<(String, usize)>,
+    equations: usize,
+    tables: usize,
+}
+
+impl Body<'_> {
+    /// Writes the first of some blocks; returns how many it took.
+    fn block(&mut self, blocks: &[Block]) -> usize {
+        let (sheet, next) = (self.sheet, blocks.get(1));
+        match &blocks[0] {
+            Block::Title(_) => {}
+            Block::Heading(title) => {
+                let title = sheet.line(title);
+                self.pages.heading(&title, HEADING, self.below_heading(&blocks[1..]), true);
+                self.chapters.push((title, self.pages.done.len()));
+                if let Some(Block::Subheading(title)) = next {
+                    self.pages.heading(&sheet.line(title), SUBHEADING, KEPT, false);
+                    return 2;
+                }
             }
-        } else {
-            let width = assur_pdf::text_width(&word, size);
-            let from = if anchor == Anchor::Middle { x - 0.5 * (width + RULE) } else { x };
-            page.push(Element::text([from, y], &word, size, Anchor::Start, Ink::Text));
-            let ends = [[from + width, y + 0.8], [from + width + RULE, y + 0.8]];
-            page.push(Element::line(ends, FINE, Ink::Text));
+            Block::Subheading(title) => self.pages.heading(&sheet.line(title), SUBHEADING, KEPT, true),
+            Block::Paragraph(words) => {
+                if let Some(figure @ Block::Figure { .. }) = next {
+                    // The sentence goes with its picture.
+                    self.pages.float(self.picture(words, figure));
+                    return 2;
+                }
+                self.paragraph(words, matches!(next, Some(Block::Equation(_))));
+            }
+            Block::Equation(terms) => {
+                self.equations += 1;
+                equation(&mut self.pages, &written(sheet, terms), self.equations);
+                if !matches!(next, Some(Block::Equation(_))) {
+                    self.pages.y += APART;
+                }
+            }
+            figure @ Block::Figure { .. } => self.pages.float(self.picture(&Text::default(), figure)),
+            table @ (Block::Table(_) | Block::Facts { .. }) => {
+                self.tables += 1;
+                if let Some(of) = table.as_table() {
+                    let again = sheet.line(&text!("note-table-goes-on", number = number(self.tables)));
+                    table::put(&mut self.pages, [&sheet.line(&of.caption), &again], &sheet.grid(&of));
+                }
+            }
         }
-    };
-    for row in &cover.above {
-        put((None, row.as_ref()), SUBHEADING, [middle, 9.0], Anchor::Middle);
+        1
     }
-    put((None, Some(&cover.what)), HEADING, [middle, 45.0], Anchor::Middle);
-    put((Some(&cover.discipline.0), cover.discipline.1.as_ref()), SUBHEADING, [middle, 10.0], Anchor::Middle);
-    put((None, Some(&cover.title)), TITLE, [middle, 14.0], Anchor::Middle);
-    for (number, (word, who)) in cover.people.iter().enumerate() {
-        let above = if number == 0 { 45.0 } else { 9.0 };
-        put((Some(word), who.as_ref()), SUBHEADING, [LEFT + 85.0, above], Anchor::Start);
-    }
-    for (number, row) in cover.below.iter().enumerate() {
-        let above = if number == 0 { 40.0 } else { 8.0 };
-        put((None, row.as_ref()), SUBHEADING, [middle, above], Anchor::Middle);
-    }
-}
 
-/// The height of the contents of so many chapters, mm.
-fn contents_height(chapters: usize) -> f64 {
-    LINE * HEADING + 2.0 * BODY * chapters as f64 + 6.0 * APART
-}
+    /// A paragraph, which does not stand apart from an equation that it leads to.
+    fn paragraph(&mut self, words: &Text, leads: bool) {
+        let words = self.sheet.paragraphs(words);
+        let last = words.len().saturating_sub(1);
+        for (at, own) in words.iter().enumerate() {
+            let leads = leads && at == last;
+            self.pages.paragraph(own, BODY, if leads { LEADING } else { 0.0 });
+            if leads {
+                self.pages.y -= 0.7 * APART;
+            }
+        }
+    }
 
-fn contents(sheet: &NoteSheet<'_>, page: &mut Vec<Element>, chapters: &[(String, usize)]) {
-    let head = sheet.line(&text!("note-contents"));
-    let mut y = TOP + LINE * HEADING;
-    page.push(Element::text([LEFT, y], &head, HEADING, Anchor::Start, Ink::Text));
-    y += 2.0 * APART;
-    for (title, number) in chapters {
-        y += 2.0 * BODY;
-        page.push(Element::text([LEFT, y], title, BODY, Anchor::Start, Ink::Text));
-        page.push(Element::text([LEFT + WIDTH, y], &number.to_string(), BODY, Anchor::End, Ink::Text));
+    /// What must stand below a heading before these blocks, mm: the picture with which they begin.
+    fn below_heading(&self, blocks: &[Block]) -> f64 {
+        match blocks {
+            [Block::Subheading(_), ..] => KEPT + HEADED,
+            [Block::Paragraph(words), figure @ Block::Figure { .. }, ..] => {
+                KEPT.max(self.picture(words, figure).high + HEADED)
+            }
+            _ => KEPT,
+        }
+    }
+
+    /// A picture below the sentence that names it.
+    fn picture(&self, words: &Text, figure: &Block) -> Float {
+        let Block::Figure { frames, size, caption } = figure else {
+            return Float { elements: Vec::new(), high: 0.0 };
+        };
+        let (mut elements, mut high) = (Vec::new(), 0.0);
+        for line in self.sheet.paragraphs(words).iter().flat_map(|own| wrapped(own, WIDTH, BODY)) {
+            high += LINE * BODY;
+            elements.push(Element::text([0.0, high], &line, BODY, Anchor::Start, Ink::Text));
+        }
+        high += if elements.is_empty() { 0.0 } else { APART };
+        let drawn = picture(self.sheet, &frames[0], *size, &self.sheet.line(caption));
+        elements.extend(drawn.elements.into_iter().map(|element| element.moved([0.0, high])));
+        Float { elements, high: high + drawn.high }
     }
 }
 
@@ -256,6 +280,7 @@ fn equation(pages: &mut Pages, words: &str, number: usize) {
     const INDENT: f64 = 8.0;
     const NUMBER: f64 = 14.0;
     let lines = wrapped(words, WIDTH - INDENT - NUMBER, BODY);
+    pages.need(LINE * BODY * (lines.len() as f64 + 0.25));
     for (at, line) in lines.iter().enumerate() {
         pages.line(line, BODY, if at == 0 { INDENT } else { 1.5 * INDENT });
     }

@@ -1,6 +1,6 @@
 //! What a form writes: texts and tables in the words of the language.
 
-use assur_book::{Block, Printed, Table};
+use assur_book::{Block, Printed, Table, Value};
 use assur_figure::letters::{Level, indexed, levels};
 use assur_words::{Language, Text, joined, number, unit};
 use assur_worksheet::Symbol;
@@ -40,6 +40,29 @@ impl NoteSheet<'_> {
         symbol.subscript().render(&self.numbered).replace('`', "")
     }
 
+    /// Gives the links of structural formulas their numbers, as the drawings have them.
+    pub(super) fn formulas(&mut self) {
+        let in_numbers = |text: &Text, numbered: &Language| assur_words::name(text.render(numbered).replace('`', ""));
+        for block in &mut self.blocks {
+            match block {
+                Block::Paragraph(words) if words.identity() == Some("report-formula") => {
+                    *words = in_numbers(words, &self.numbered);
+                }
+                Block::Paragraph(words) if words.identity() == Some("note-concluded-structure") => {
+                    *words = in_numbers(words, &self.numbered);
+                }
+                Block::Facts { facts, .. } => {
+                    for fact in facts.iter_mut().filter(|fact| fact.id == "fact-formula") {
+                        if let Value::Text(words) = &mut fact.value {
+                            *words = in_numbers(words, &self.numbered);
+                        }
+                    }
+                }
+                _ => {}
+            }
+        }
+    }
+
     /// Gives headings, figures and tables their numbers.
     pub(super) fn number(&mut self) {
         let [mut parts, mut figures, mut tables] = [0_usize; 3];
@@ -66,9 +89,13 @@ impl NoteSheet<'_> {
         }
     }
 
-    /// A text as paragraphs: an empty line divides them.
+    /// A text as paragraphs, each with a stop at its end: an empty line divides them.
     pub(super) fn paragraphs(&self, text: &Text) -> Vec<String> {
-        self.line(text).split("\n\n").map(|part| part.trim().to_owned()).collect()
+        let stopped = |part: &str| {
+            let stop = if part.is_empty() || part.ends_with(['.', ':', ';', ',', '!', '?']) { "" } else { "." };
+            part.to_owned() + stop
+        };
+        self.line(text).split("\n\n").map(|part| stopped(part.trim())).collect()
     }
 
     /// The headings of the chapters, each with its number from 1.
@@ -93,7 +120,7 @@ impl NoteSheet<'_> {
                 .cells
                 .get(row)
                 .map(|cell| self.line(cell))
-                .map(|cell| if cell == "-" { "–".into() } else { cell })
+                .map(|cell| if cell == "-" || cell.is_empty() { "–".into() } else { cell })
         };
         let row = |row: usize| columns.iter().map(|column| cell(column, row).unwrap_or_default()).collect();
         Grid {

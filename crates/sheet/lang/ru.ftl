@@ -36,7 +36,7 @@ sheet-mass = Масса
 sheet-scale = Масштаб
 sheet-loaded = Нагрузки и реакции, { $of }: { $place }
 sheet-position = положение { $position }
-sheet-instant = момент { $instant }, { $time }
+sheet-instant = момент { $instant } ({ $time })
 sheet-links = { $count ->
     [one] звено
    *[other] звенья

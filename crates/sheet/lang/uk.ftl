@@ -36,7 +36,7 @@ sheet-mass = Маса
 sheet-scale = Масштаб
 sheet-loaded = Навантаження й реакції, { $of }: { $place }
 sheet-position = положення { $position }
-sheet-instant = момент { $instant }, { $time }
+sheet-instant = момент { $instant } ({ $time })
 sheet-links = { $count ->
     [one] ланка
    *[other] ланки

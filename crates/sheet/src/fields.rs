@@ -26,8 +26,8 @@ pub(crate) struct Source<'a> {
 const MECHANISM: (f64, f64) = (140.0, 4.0);
 const PLOTS: (f64, f64) = (100.0, 2.5);
 const PLAN: (f64, f64) = (75.0, 1.0);
-const LEVER: (f64, f64) = (100.0, 2.0);
-const STRUCTURE: (f64, f64) = (110.0, 2.0);
+const LEVER: (f64, f64) = (100.0, 1.5);
+const STRUCTURE: (f64, f64) = (110.0, 1.2);
 
 impl Source<'_> {
     /// The blocks of all fields that are wanted, in their order.
@@ -155,7 +155,7 @@ impl Source<'_> {
         let mut characteristic = drive(ViewPart::Curves);
         characteristic.panels.pop();
         let course = motion::figure(results, look, ViewPart::Course, usize::MAX);
-        let mut drawn = Self::figures(field, PLOTS, [course, drive(ViewPart::Inertia), characteristic]);
+        let mut drawn = Self::figures(field, PLOTS, [course, regime::shares_on_paper(results, look), characteristic]);
         drawn.extend(Self::figures(field, PLOTS, [drive(ViewPart::EnergyMass)]));
         drawn
     }

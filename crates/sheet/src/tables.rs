@@ -19,15 +19,14 @@ struct Row {
     values: Vec<Option<Vec<Text>>>,
 }
 
-/// Puts the values of a position into the row with these words, or into a new one.
+/// Puts the values of a position into the row with this symbol, or into a new one: what acts on two links has one size on both.
 fn put(rows: &mut Vec<Row>, words: Vec<Text>, at: usize, values: Vec<Text>) {
-    let known = rows.iter().position(|row| row.words == words).unwrap_or_else(|| {
+    let known = rows.iter().position(|row| row.words[0] == words[0]).unwrap_or_else(|| {
         rows.push(Row { words, values: Vec::new() });
         rows.len() - 1
     });
     let row = &mut rows[known];
     row.values.resize(row.values.len().max(at + 1), None);
-    // What acts on two links has the same size on both.
     row.values[at].get_or_insert(values);
 }
 
