@@ -5,14 +5,13 @@ mod element;
 mod legend;
 mod names;
 pub(crate) mod plane;
+mod together;
 
 pub use element::{Anchor, Element, Form, color};
 
 use assur_words::{Language, Text};
 
 use crate::model::{Figure, Frame, Ink, Item, Panel, Point, Sign, Stroke};
-use crate::number::round_up;
-use crate::scale::SCALES;
 use crate::sign::{self, Shape, shapes};
 use element::{circle, polygon, polyline};
 pub(crate) use names::Names;
@@ -213,22 +212,21 @@ fn cells(figure: &Figure, [width, height]: [f64; 2], print: &Print<'_>) -> Vec<R
 }
 
 /// The rooms of the panels in a width, with the width and height of all: each plane has what its drawing needs, curves have the rest of
-/// their row.
-fn shrunk(figure: &Figure, [width, height]: [f64; 2], print: &Print<'_>) -> (Vec<Room>, [f64; 2]) {
+/// their row. Planes of one kind have one scale.
+fn shrunk(figure: &Figure, size: [f64; 2], print: &Print<'_>) -> (Vec<Room>, [f64; 2]) {
+    if let Some(own) = together::placed(figure, size, print) {
+        return own;
+    }
+    let [width, height] = size;
     let is_plane = |panel: &Panel| matches!(panel.frame, Frame::Plane { .. });
     let columns = figure.columns.max(1);
     let mut rooms = cells(figure, [width, height], print);
     let mut used = [0.0_f64; 2];
-    let scale = common_scale(figure, &rooms, width, print);
     for (row, panels) in rooms.chunks_mut(columns).zip(figure.panels.chunks(columns)) {
         let share = SHARE.min(width / panels.len() as f64);
         let mut rest = width - share * panels.len() as f64;
         for (room, panel) in row.iter_mut().zip(panels).filter(|(_, panel)| is_plane(panel)) {
-            let free = Room { width: share + rest, ..*room };
-            *room = match scale {
-                Some(scale) => plane::at_scale(panel, Room { width: share, ..free }, scale, print),
-                None => plane::shrunk(panel, free, print),
-            };
+            *room = plane::shrunk(panel, Room { width: share + rest, ..*room }, print);
             rest += share - room.width;
         }
         let curves = panels.iter().filter(|panel| !is_plane(panel)).count();
@@ -242,34 +240,6 @@ fn shrunk(figure: &Figure, [width, height]: [f64; 2], print: &Print<'_>) -> (Vec
         used = [used[0].max(left), used[1] + high];
     }
     (rooms, used)
-}
-
-/// The finest round scale in which all planes of a figure have room, beside each other in a width; `None` where they are not of one kind, or
-/// alone.
-fn common_scale(figure: &Figure, rooms: &[Room], width: f64, print: &Print<'_>) -> Option<f64> {
-    /// Steps of the series of scales, which are tried: to the hundredfold and more.
-    const STEPS: usize = 16;
-    let first = plane::kind(figure.panels.first()?)?;
-    if figure.panels.len() < 2 || figure.panels.iter().any(|panel| plane::kind(panel) != Some(first)) {
-        return None;
-    }
-    let columns = figure.columns.max(1);
-    let of_row = |scale: f64, (row, panels): (&[Room], &[Panel])| {
-        let share = width / panels.len() as f64;
-        let needed = |(room, panel): (&Room, &Panel)| {
-            plane::at_scale(panel, Room { width: share, ..*room }, scale, print)
-        };
-        let all: Vec<Room> = row.iter().zip(panels).map(needed).collect();
-        all.iter().map(|own| own.width).sum::<f64>() <= width
-            && all.iter().zip(row).all(|(own, room)| own.height <= room.height)
-    };
-    let fits = |scale: &f64| {
-        rooms.chunks(columns).zip(figure.panels.chunks(columns)).all(|row| of_row(*scale, row))
-    };
-    let free = |(room, panel): (&Room, &Panel)| plane::scale_in(panel, Room { width, ..*room }, print);
-    let least = rooms.iter().zip(&figure.panels).filter_map(free).fold(0.0, f64::max);
-    let next = |scale: &f64| Some(round_up(scale * 1.01, &SCALES));
-    std::iter::successors(Some(least), next).take(STEPS).find(fits)
 }
 
 /// A heading without the quotes by which names of the scene are told apart in running text.

@@ -15,7 +15,7 @@ use crate::context::{Context, on_paper, show, still};
 use crate::formula::Finds;
 
 /// Page of two polygons, and of a curve beside its hodograph, mm.
-const POLYGONS: [f64; 2] = [165.0, 125.0];
+const POLYGONS: [f64; 2] = [165.0, 150.0];
 const CURVE: [f64; 2] = [165.0, 85.0];
 /// Loads in one figure.
 const MOST_LOADS: usize = 4;

@@ -13,10 +13,10 @@ use crate::{conclusions, forces, formula, symbols};
 
 /// Pages of a mechanism, of several ones beside each other, and of plans, mm.
 const MECHANISM: [f64; 2] = [160.0, 120.0];
-const MECHANISMS: [f64; 2] = [165.0, 130.0];
-const PLANS: [f64; 2] = [165.0, 125.0];
+const MECHANISMS: [f64; 2] = [170.0, 135.0];
+const PLANS: [f64; 2] = [165.0, 165.0];
 /// Page of all positions over each other, whose names need room, mm.
-const OVERLAID: [f64; 2] = [165.0, 165.0];
+const OVERLAID: [f64; 2] = [165.0, 195.0];
 /// Pages of three curves, of two, and of one, mm.
 const TRANSFER: [f64; 2] = [160.0, 130.0];
 const CURVES: [f64; 2] = [160.0, 120.0];
@@ -138,7 +138,7 @@ fn task(context: &Context<'_>, page: &mut Document) {
 fn structure(context: &Context<'_>, page: &mut Document) {
     page.heading(text!("report-structure"));
     context.tell(page, &[topic::mobility, topic::pairs, topic::groups]);
-    let figure = assembly::groups(context.results, context.positions[0]);
+    let figure = on_paper(assembly::groups(context.results, context.positions[0]));
     let size = [PANELS[0], PANELS[1] * figure.rows() as f64];
     let caption = text!("note-assembly", place = context.place(context.positions[0]));
     show(page, "note-see-assembly", (figure, size), caption);

@@ -55,6 +55,8 @@ pub(super) struct Pages {
     done: Vec<Vec<Element>>,
     y: f64,
     waiting: Vec<Float>,
+    /// Whether the last thing on the page is a heading.
+    headed: bool,
 }
 
 impl Pages {
@@ -80,6 +82,7 @@ impl Pages {
         let y = self.y;
         self.page().extend(float.elements.into_iter().map(|element| element.moved([LEFT, y])));
         self.y += float.high;
+        self.headed = false;
     }
 
     /// Makes room for so much, on a new page where this one has too little.
@@ -111,6 +114,7 @@ impl Pages {
         self.y += LINE * size;
         let at = [LEFT + indent, self.y];
         self.page().push(Element::text(at, words, size, Anchor::Start, Ink::Text));
+        self.headed = false;
     }
 
     /// A paragraph with so much room below it, mm.
@@ -140,6 +144,7 @@ impl Pages {
         self.need(below.min(LAST - TOP));
         self.y += APART;
         self.paragraph(words, size, 0.0);
+        self.headed = true;
     }
 }
 
@@ -187,7 +192,7 @@ impl Body<'_> {
             Block::Title(_) => {}
             Block::Heading(title) => {
                 let title = sheet.line(title);
-                self.pages.heading(&title, HEADING, self.below_heading(&blocks[1..]), true);
+                self.pages.heading(&title, HEADING, Self::below_heading(&blocks[1..]), true);
                 self.chapters.push((title, self.pages.done.len()));
                 if let Some(Block::Subheading(title)) = next {
                     self.pages.heading(&sheet.line(title), SUBHEADING, KEPT, false);
@@ -197,8 +202,7 @@ impl Body<'_> {
             Block::Subheading(title) => self.pages.heading(&sheet.line(title), SUBHEADING, KEPT, true),
             Block::Paragraph(words) => {
                 if let Some(figure @ Block::Figure { .. }) = next {
-                    // The sentence goes with its picture.
-                    self.pages.float(self.picture(words, figure));
+                    self.told(words, figure);
                     return 2;
                 }
                 self.paragraph(words, matches!(next, Some(Block::Equation(_))));
@@ -222,6 +226,20 @@ impl Body<'_> {
         1
     }
 
+    /// A picture with the sentence that names it; where the picture waits, the sentence goes with it, but stays below a heading and on a
+    /// page that would end too early.
+    fn told(&mut self, words: &Text, figure: &Block) {
+        let whole = self.picture(words, figure);
+        let pages = &self.pages;
+        let stays = pages.headed || pages.waiting.is_empty() && pages.y < TOP + FULL * (LAST - TOP);
+        let fits = pages.waiting.is_empty() && pages.y + whole.high <= LAST;
+        if fits || !stays {
+            return self.pages.float(whole);
+        }
+        self.paragraph(words, false);
+        self.pages.float(self.picture(&Text::default(), figure));
+    }
+
     /// A paragraph, which does not stand apart from an equation that it leads to.
     fn paragraph(&mut self, words: &Text, leads: bool) {
         let words = self.sheet.paragraphs(words);
@@ -235,13 +253,10 @@ impl Body<'_> {
         }
     }
 
-    /// What must stand below a heading before these blocks, mm: the picture with which they begin.
-    fn below_heading(&self, blocks: &[Block]) -> f64 {
+    /// What must stand below a heading before these blocks, mm.
+    fn below_heading(blocks: &[Block]) -> f64 {
         match blocks {
             [Block::Subheading(_), ..] => KEPT + HEADED,
-            [Block::Paragraph(words), figure @ Block::Figure { .. }, ..] => {
-                KEPT.max(self.picture(words, figure).high + HEADED)
-            }
             _ => KEPT,
         }
     }

@@ -67,6 +67,12 @@ pub(super) fn kind(panel: &Panel) -> Option<(&'static str, &str)> {
     scales.first().map(|own| (own.symbol, own.unit.as_str())).filter(|(symbol, _)| !symbol.is_empty())
 }
 
+/// The greater side of what a panel draws, in its units.
+pub(super) fn largest(panel: &Panel) -> f64 {
+    let Frame::Plane { bounds, .. } = &panel.frame else { return 0.0 };
+    bounds.size().into_iter().fold(0.0, f64::max)
+}
+
 /// The room that a panel needs at a scale; its heading is divided within the width of a room.
 pub(super) fn at_scale(panel: &Panel, room: Room, scale: f64, print: &Print<'_>) -> Room {
     let Frame::Plane { bounds, scales } = &panel.frame else { return room };
