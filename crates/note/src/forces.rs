@@ -52,7 +52,7 @@ fn touching(context: &Context<'_>, page: &mut Document) {
     let of = |reaction| beside_friction(found, position, reaction);
     let panels: Vec<Panel> = found.reactions.iter().filter_map(of).take(MOST_CIRCLES).collect();
     let figure = Figure { panels, columns: 2, ..Figure::default() };
-    let size = [CURVE[0], 75.0 * figure.rows() as f64];
+    let size = [CURVE[0], 58.0 * figure.rows() as f64];
     let caption = text!("note-friction-drawn", place = context.place(position));
     show(page, "note-see-friction", (figure, size), caption);
 }

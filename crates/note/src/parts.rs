@@ -13,7 +13,7 @@ use crate::{conclusions, forces, formula, symbols};
 
 /// Pages of a mechanism, of several ones beside each other, and of plans, mm.
 const MECHANISM: [f64; 2] = [160.0, 120.0];
-const MECHANISMS: [f64; 2] = [170.0, 135.0];
+const MECHANISMS: [f64; 2] = [170.0, 220.0];
 const PLANS: [f64; 2] = [165.0, 165.0];
 /// Page of all positions over each other, whose names need room, mm.
 const OVERLAID: [f64; 2] = [165.0, 195.0];

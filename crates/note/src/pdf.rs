@@ -6,7 +6,7 @@ mod lines;
 mod table;
 
 use assur_book::{Block, Term};
-use assur_figure::{Anchor, Element, Figure, Ink, Page, Style, elements};
+use assur_figure::{Anchor, Element, Figure, Frame, Ink, Page, Style, elements};
 use assur_words::{Text, number, text};
 
 use super::sheet::NoteSheet;
@@ -32,7 +32,9 @@ const APART: f64 = 2.2;
 /// What must fit below a heading, mm.
 const KEPT: f64 = 36.0;
 /// How full a page is that may end before a heading, as part of its height.
-const FULL: f64 = 0.7;
+const FULL: f64 = 0.67;
+/// Down to which part of its height a picture of curves is lower where the page has no more room.
+const SHRUNK: f64 = 0.7;
 /// Lines of a paragraph that no page divides.
 const UNDIVIDED: usize = 3;
 /// What must fit below a paragraph that leads to an equation, mm.
@@ -214,7 +216,9 @@ impl Body<'_> {
                     self.pages.y += APART;
                 }
             }
-            figure @ Block::Figure { .. } => self.pages.float(self.picture(&Text::default(), figure)),
+            figure @ Block::Figure { .. } => {
+                self.pages.float(self.picture(&Text::default(), figure, f64::INFINITY));
+            }
             table @ (Block::Table(_) | Block::Facts { .. }) => {
                 self.tables += 1;
                 if let Some(of) = table.as_table() {
@@ -229,15 +233,19 @@ impl Body<'_> {
     /// A picture with the sentence that names it; where the picture waits, the sentence goes with it, but stays below a heading and on a
     /// page that would end too early.
     fn told(&mut self, words: &Text, figure: &Block) {
-        let whole = self.picture(words, figure);
+        let mut whole = self.picture(words, figure, f64::INFINITY);
         let pages = &self.pages;
+        let room = LAST - pages.y;
+        if pages.waiting.is_empty() && whole.high > room && room >= SHRUNK * whole.high && is_of_curves(figure) {
+            whole = self.picture(words, figure, room);
+        }
         let stays = pages.headed || pages.waiting.is_empty() && pages.y < TOP + FULL * (LAST - TOP);
         let fits = pages.waiting.is_empty() && pages.y + whole.high <= LAST;
         if fits || !stays {
             return self.pages.float(whole);
         }
         self.paragraph(words, false);
-        self.pages.float(self.picture(&Text::default(), figure));
+        self.pages.float(self.picture(&Text::default(), figure, f64::INFINITY));
     }
 
     /// A paragraph, which does not stand apart from an equation that it leads to.
@@ -261,8 +269,8 @@ impl Body<'_> {
         }
     }
 
-    /// A picture below the sentence that names it.
-    fn picture(&self, words: &Text, figure: &Block) -> Float {
+    /// A picture below the sentence that names it; curves are so low that all has this height.
+    fn picture(&self, words: &Text, figure: &Block, room: f64) -> Float {
         let Block::Figure { frames, size, caption } = figure else {
             return Float { elements: Vec::new(), high: 0.0 };
         };
@@ -272,10 +280,20 @@ impl Body<'_> {
             elements.push(Element::text([0.0, high], &line, BODY, Anchor::Start, Ink::Text));
         }
         high += if elements.is_empty() { 0.0 } else { APART };
-        let drawn = picture(self.sheet, &frames[0], *size, &self.sheet.line(caption));
+        let of = |size| picture(self.sheet, &frames[0], size, &self.sheet.line(caption));
+        let mut drawn = of(*size);
+        if high + drawn.high > room {
+            drawn = of([size[0], size[1] - (high + drawn.high - room)]);
+        }
         elements.extend(drawn.elements.into_iter().map(|element| element.moved([0.0, high])));
         Float { elements, high: high + drawn.high }
     }
+}
+
+/// Whether a figure has curves alone, which have no scale that a lower one would change.
+fn is_of_curves(figure: &Block) -> bool {
+    let Block::Figure { frames, .. } = figure else { return false };
+    frames[0].panels.iter().all(|panel| matches!(panel.frame, Frame::Axes { .. }))
 }
 
 fn picture(sheet: &NoteSheet<'_>, figure: &Figure, size: [f64; 2], caption: &str) -> Float {

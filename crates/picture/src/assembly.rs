@@ -47,6 +47,8 @@ fn apart(results: &Results, pose: &Position, links: &[LinkId], grounded: bool, t
     let drawing = Drawing { hidden: &others, ..mechanism::drawing(results, &[]) };
     let mut items = drawing.items(pose);
     let slides = mechanism.slides.iter().any(|slide| slide.on == GROUND && links.contains(&slide.link));
+    /// How far from its center a circle of straight pieces may lie, as part of its size.
+    const ROUND: f64 = 0.05;
     // Other places of the ground are not those of these links.
     let is_own = |point: &assur_mechanism::Point| links.iter().any(|link| point.on(*link).is_some());
     let others = mechanism.points.iter().filter(|point| !is_own(point));
@@ -55,6 +57,12 @@ fn apart(results: &Results, pose: &Position, links: &[LinkId], grounded: bool, t
     items.retain(|item| match item {
         Item::Ground { .. } => grounded && slides,
         Item::Sign { at, .. } | Item::Name { at, .. } => !is_foreign(at),
+        // A circle of friction around such a place.
+        Item::Line { points, .. } => {
+            let own = Bounds::around(points.iter().copied());
+            let near = |at: &[f64; 2]| length(minus(*at, own.center())) < ROUND * length(own.size());
+            !foreign.iter().any(near)
+        }
         _ => true,
     });
     let bounds = Bounds::around(items.iter().flat_map(Item::points));

@@ -67,8 +67,8 @@ impl Drawn {
         };
         let mut sizes: Vec<Size> = Vec::new();
         let heading = |panel: &Panel| heading_width(panel, Style::SHEET, language);
-        let headings = figure.panels.iter().map(heading).fold(LEAST, f64::max);
-        let mut width = self.least.max(headings);
+        let headings = figure.panels.iter().map(heading).fold(0.0, f64::max) * figure.columns.max(1) as f64;
+        let mut width = self.least.max(headings).max(LEAST);
         while width <= MOST {
             for page in pages(figure, width) {
                 let own = Size { size: room(figure, page, language), page: Some(page) };
