@@ -147,7 +147,8 @@ impl Drawer<'_> {
         let tangential = text!("plan-tangential-part", link = link);
         let normal = (VectorKind::Normal, of("an"), scaled(-speed * speed, arm), normal);
         let tangential = (VectorKind::Tangential, of("at"), scaled(turning, perp(arm)), tangential);
-        let symbols = [text!("plan-symbol-normal"), text!("plan-symbol-tangential")].map(|own| print("a", own));
+        let symbols =
+            [text!("plan-symbol-normal"), text!("plan-symbol-tangential")].map(|own| print("a", own));
         [normal, tangential].into_iter().zip(symbols).collect()
     }
 

@@ -39,7 +39,8 @@ pub fn levels(text: &str) -> impl Iterator<Item = (&str, Level)> {
             if rest.is_empty() {
                 return None;
             }
-            let open = |(at, _): &(usize, char)| rest[*at..].starts_with("_{") || rest[*at..].starts_with("^{");
+            let open =
+                |(at, _): &(usize, char)| rest[*at..].starts_with("_{") || rest[*at..].starts_with("^{");
             let Some((at, sign)) = rest.char_indices().find(open) else {
                 return Some((std::mem::take(&mut rest), Level::Line));
             };

@@ -21,7 +21,7 @@ body { font: 11pt/1.4 'Liberation Serif', 'Times New Roman', serif; max-width: 1
 .cover p { font-size: 12pt; margin: 2mm 0; } .cover p.what { font-size: 16pt; } .cover h1 { font-size: 18pt; }
 .cover table { margin: 0 0 0 auto; border: none; width: 90mm; } .cover td { border: none; text-align: left; font-size: 12pt; }
 .rule { display: inline-block; min-width: 45mm; border-bottom: 0.3mm solid #000; }
-nav { break-after: page; } nav p { margin: 1mm 0; } nav a { color: inherit; text-decoration: none; }
+nav p { margin: 1mm 0; } nav a { color: inherit; text-decoration: none; }
 nav a::after { content: leader('.') target-counter(attr(href), page); }
 h2 { font-size: 15pt; margin-top: 8mm; break-after: avoid; } h3 { font-size: 12pt; break-after: avoid; }
 p { orphans: 2; widows: 2; }

@@ -18,6 +18,7 @@ mod typst;
 pub mod working;
 
 use assur_book::Document;
+use assur_figure::Element;
 use assur_picture::{Results, mechanism};
 use assur_scene::Note;
 use assur_words::{Language, Text, name, text};
@@ -105,6 +106,18 @@ pub fn pdf(results: &Results, note: &Note) -> Result<Vec<u8>, Text> {
     let mut sheet = sheet(results, note, &language)?;
     sheet.number();
     pdf::write(&sheet).ok_or_else(|| text!("note-no-font"))
+}
+
+/// What stands on the pages of the note as PDF, from the cover, at places in millimeters.
+///
+/// # Errors
+///
+/// In words: as [`write`](fn@write).
+pub fn pages(results: &Results, note: &Note) -> Result<Vec<Vec<Element>>, Text> {
+    let language = language(note).with_digits(note.digits);
+    let mut sheet = sheet(results, note, &language)?;
+    sheet.number();
+    Ok(pdf::pages(&sheet))
 }
 
 /// What all forms write.

@@ -152,6 +152,13 @@ impl Pages {
 
 /// The whole file; `None` where its letters can't be taken from the font that is built in.
 pub(super) fn write(sheet: &NoteSheet<'_>) -> Option<Vec<u8>> {
+    let all = pages(sheet);
+    let all: Vec<_> = all.iter().map(|elements| assur_pdf::Page { size: PAPER, elements }).collect();
+    assur_pdf::write(&sheet.line(&sheet.cover.title), &all)
+}
+
+/// What stands on each page, from the cover.
+pub(super) fn pages(sheet: &NoteSheet<'_>) -> Vec<Vec<Element>> {
     let mut pages = Pages::default();
     front::cover(&sheet.cover, sheet, &mut pages);
     // The contents have room on the second page; the numbers of pages are known at the end.
@@ -172,8 +179,7 @@ pub(super) fn write(sheet: &NoteSheet<'_>) -> Option<Vec<u8>> {
         let at = [LEFT + WIDTH, PAPER[1] - 12.0];
         page.push(Element::text(at, &(number + 1).to_string(), BODY, Anchor::End, Ink::Text));
     }
-    let all: Vec<_> = pages.done.iter().map(|elements| assur_pdf::Page { size: PAPER, elements }).collect();
-    assur_pdf::write(&sheet.line(&sheet.cover.title), &all)
+    pages.done
 }
 
 /// What is written of the blocks so far.
@@ -236,7 +242,11 @@ impl Body<'_> {
         let mut whole = self.picture(words, figure, f64::INFINITY);
         let pages = &self.pages;
         let room = LAST - pages.y;
-        if pages.waiting.is_empty() && whole.high > room && room >= SHRUNK * whole.high && is_of_curves(figure) {
+        if pages.waiting.is_empty()
+            && whole.high > room
+            && room >= SHRUNK * whole.high
+            && is_of_curves(figure)
+        {
             whole = self.picture(words, figure, room);
         }
         let stays = pages.headed || pages.waiting.is_empty() && pages.y < TOP + FULL * (LAST - TOP);

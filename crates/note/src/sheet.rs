@@ -42,7 +42,8 @@ impl NoteSheet<'_> {
 
     /// Gives the links of structural formulas their numbers, as the drawings have them.
     pub(super) fn formulas(&mut self) {
-        let in_numbers = |text: &Text, numbered: &Language| assur_words::name(text.render(numbered).replace('`', ""));
+        let in_numbers =
+            |text: &Text, numbered: &Language| assur_words::name(text.render(numbered).replace('`', ""));
         for block in &mut self.blocks {
             match block {
                 Block::Paragraph(words) if words.identity() == Some("report-formula") => {
@@ -92,7 +93,8 @@ impl NoteSheet<'_> {
     /// A text as paragraphs, each with a stop at its end: an empty line divides them.
     pub(super) fn paragraphs(&self, text: &Text) -> Vec<String> {
         let stopped = |part: &str| {
-            let stop = if part.is_empty() || part.ends_with(['.', ':', ';', ',', '!', '?']) { "" } else { "." };
+            let stop =
+                if part.is_empty() || part.ends_with(['.', ':', ';', ',', '!', '?']) { "" } else { "." };
             part.to_owned() + stop
         };
         self.line(text).split("\n\n").map(|part| stopped(part.trim())).collect()

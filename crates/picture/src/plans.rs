@@ -97,7 +97,8 @@ pub fn lever(results: &Results, look: &Look<'_>) -> Figure {
     let Some(step) = last_of_lever(&plans) else { return Figure::default() };
     let mut drawn = figure(results, &Look { step, ..*look }, ViewPart::Construction);
     // What is zero has no arrow, and no name.
-    let steps = chosen_step(&plans, step).map_or(&[][..], |(construction, last)| &construction.steps[..=last]);
+    let steps =
+        chosen_step(&plans, step).map_or(&[][..], |(construction, last)| &construction.steps[..=last]);
     let is_zero = |text: &Text| {
         let mut own = steps.iter().filter(|step| step.name == *text).peekable();
         own.peek().is_some() && own.all(|step| step.unit == "N" && length([[0.0; 2], step.vector]) == 0.0)

@@ -2,7 +2,6 @@
 
 use assur_figure::{
     Anchor, Element, Figure, Frame, Ink, Page, Panel, Style, elements, heading_width, plane_scale, size,
-
 };
 use assur_pdf::text_width as exact_width;
 use assur_scene::SheetField;

@@ -155,7 +155,8 @@ impl Source<'_> {
         let mut characteristic = drive(ViewPart::Curves);
         characteristic.panels.pop();
         let course = motion::figure(results, look, ViewPart::Course, usize::MAX);
-        let mut drawn = Self::figures(field, PLOTS, [course, regime::shares_on_paper(results, look), characteristic]);
+        let mut drawn =
+            Self::figures(field, PLOTS, [course, regime::shares_on_paper(results, look), characteristic]);
         drawn.extend(Self::figures(field, PLOTS, [drive(ViewPart::EnergyMass)]));
         drawn
     }

@@ -32,13 +32,7 @@ fn put(rows: &mut Vec<Row>, words: Vec<Text>, at: usize, values: Vec<Text>) {
 
 impl Source<'_> {
     /// A table of these rows with so many values in each position; none without rows.
-    fn table(
-        &self,
-        field: SheetField,
-        title: Text,
-        rows: &[Row],
-        count: usize,
-    ) -> Option<Drawn> {
+    fn table(&self, field: SheetField, title: Text, rows: &[Row], count: usize) -> Option<Drawn> {
         let words = rows.first()?.words.len();
         let mut head = vec![Text::default(); words];
         for position in &self.plans {
@@ -51,7 +45,8 @@ impl Source<'_> {
         let line = |text: &Text, language: &Language| text.render(language).replace('`', "");
         let none = || vec![name("–"); count];
         let cells = |row: &Row| {
-            let values = (0..self.plans.len()).flat_map(|at| row.values.get(at).cloned().flatten().unwrap_or_else(none));
+            let values = (0..self.plans.len())
+                .flat_map(|at| row.values.get(at).cloned().flatten().unwrap_or_else(none));
             let values: Vec<Text> = values.collect();
             // A symbol has the numbers of links, what it is has their names.
             let words = row.words.iter().enumerate();

@@ -257,9 +257,10 @@ fn formula(mechanism: &Mechanism, groups: &[Group]) -> Name {
     let input = |driver: &Driver| links("I".to_owned(), [driver.on, driver.link].map(named).to_vec());
     let input = joined(" + ", mechanism.input.drivers.iter().map(input));
     // A link that is driven against a solved one stands among the inputs already.
-    let groups = groups.iter().filter(|group| group.class > 1).map(|group| {
-        links(group.sort(), group.named_links(mechanism).collect())
-    });
+    let groups = groups
+        .iter()
+        .filter(|group| group.class > 1)
+        .map(|group| links(group.sort(), group.named_links(mechanism).collect()));
     joined(" -> ", std::iter::once(input).chain(groups)).into()
 }
 

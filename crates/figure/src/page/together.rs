@@ -18,8 +18,10 @@ pub(super) fn placed(figure: &Figure, size: [f64; 2], print: &Print<'_>) -> Opti
     if panels.len() < 2 || panels.iter().any(|panel| plane::kind(panel) != Some(first)) {
         return None;
     }
-    let ways = [figure.columns.max(1), 1].map(|columns| Some((columns, finest(panels, columns, size, print)?)));
-    let (columns, scale) = ways.into_iter().flatten().reduce(|one, other| if other.1 < one.1 { other } else { one })?;
+    let ways =
+        [figure.columns.max(1), 1].map(|columns| Some((columns, finest(panels, columns, size, print)?)));
+    let (columns, scale) =
+        ways.into_iter().flatten().reduce(|one, other| if other.1 < one.1 { other } else { one })?;
     let is_seen = |panel: &Panel| plane::largest(panel) >= LEAST * print.style.em * scale;
     panels.iter().all(is_seen).then(|| rooms(panels, columns, scale, size[0], print))
 }
