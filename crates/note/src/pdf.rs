@@ -32,7 +32,7 @@ const APART: f64 = 2.2;
 /// What must fit below a heading, mm.
 const KEPT: f64 = 36.0;
 /// How full a page is that may end before a heading, as part of its height.
-const FULL: f64 = 0.67;
+const FULL: f64 = 0.69;
 /// Down to which part of its height a picture of curves is lower where the page has no more room.
 const SHRUNK: f64 = 0.7;
 /// Lines of a paragraph that no page divides.
