@@ -206,18 +206,19 @@ fn markup(element: &Element, inner: &str) -> String {
 }
 
 fn words(text: &str, size: f64) -> String {
-    let (mut markup, mut low) = (String::new(), 0.0);
+    let (mut markup, mut last) = (String::new(), Level::Line);
     for (part, level) in levels(text) {
-        let (part, down) = (escaped(part), level.down(size));
-        let by = if down == low { String::new() } else { format!(" dy=\"{}\"", mm(down - low)) };
-        low = down;
+        let (part, by) = (escaped(part), level.down(size) - last.down(size));
+        let by = if level == last { String::new() } else { format!(" dy=\"{}\"", mm(by)) };
+        last = level;
         let small = match level {
             Level::Line => String::new(),
             _ => format!(" font-size=\"{:.0}%\"", 100.0 * level.size()),
         };
-        let _ = match by.is_empty() && small.is_empty() {
-            true => write!(markup, "{part}"),
-            false => write!(markup, "<tspan{by}{small}>{part}</tspan>"),
+        let _ = if by.is_empty() && small.is_empty() {
+            write!(markup, "{part}")
+        } else {
+            write!(markup, "<tspan{by}{small}>{part}</tspan>")
         };
     }
     markup

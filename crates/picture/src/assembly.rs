@@ -41,14 +41,14 @@ pub fn groups(results: &Results, position: usize) -> Figure {
 
 /// Some links apart from the rest of the mechanism, or with what the ground holds of them.
 fn apart(results: &Results, pose: &Position, links: &[LinkId], grounded: bool, title: Text) -> Panel {
+    /// How far from its center a circle of straight pieces may lie, as part of its size.
+    const ROUND: f64 = 0.05;
     let mechanism = &results.linkage.mechanism;
     let is_shown = |link: &LinkId| links.contains(link) || grounded && *link == GROUND;
     let others: Vec<LinkId> = (0..mechanism.links.len()).filter(|link| !is_shown(link)).collect();
     let drawing = Drawing { hidden: &others, ..mechanism::drawing(results, &[]) };
     let mut items = drawing.items(pose);
     let slides = mechanism.slides.iter().any(|slide| slide.on == GROUND && links.contains(&slide.link));
-    /// How far from its center a circle of straight pieces may lie, as part of its size.
-    const ROUND: f64 = 0.05;
     // Other places of the ground are not those of these links.
     let is_own = |point: &assur_mechanism::Point| links.iter().any(|link| point.on(*link).is_some());
     let others = mechanism.points.iter().filter(|point| !is_own(point));

@@ -44,9 +44,8 @@ pub struct Acting {
 pub fn acting(results: &Results, position: usize, polygon: usize, links: &[LinkId]) -> Vec<Acting> {
     let shown = arrows::Shown::on_links(results, position, links);
     let arrows = shown.as_ref().map_or(&[][..], arrows::Shown::all);
-    let told = |own: &arrows::Arrow| match own.of_pair {
-        true => text!("assembly-reaction", of = &own.told),
-        false => own.told.clone(),
+    let told = |own: &arrows::Arrow| {
+        if own.of_pair { text!("assembly-reaction", of = &own.told) } else { own.told.clone() }
     };
     let force = |(symbol, item): (Text, PlanVector)| {
         let known = same(arrows, &item).filter(|own| !own.told.is_empty());

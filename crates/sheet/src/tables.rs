@@ -32,7 +32,7 @@ fn put(rows: &mut Vec<Row>, words: Vec<Text>, at: usize, values: Vec<Text>) {
 
 impl Source<'_> {
     /// A table of these rows with so many values in each position; none without rows.
-    fn table(&self, field: SheetField, title: Text, rows: &[Row], count: usize) -> Option<Drawn> {
+    fn table(&self, field: SheetField, title: &Text, rows: &[Row], count: usize) -> Option<Drawn> {
         let words = rows.first()?.words.len();
         let mut head = vec![Text::default(); words];
         for position in &self.plans {
@@ -74,7 +74,7 @@ impl Source<'_> {
                 }
             }
         }
-        self.table(SheetField::Forces, text!("sheet-symbols"), &rows, 1)
+        self.table(SheetField::Forces, &text!("sheet-symbols"), &rows, 1)
     }
 
     /// The forces on Zhukovsky's lever with their arms in all positions.
@@ -87,7 +87,7 @@ impl Source<'_> {
                 put(&mut rows, vec![own.symbol], at, values);
             }
         }
-        self.table(SheetField::Lever, text!("sheet-lever-forces"), &rows, 2)
+        self.table(SheetField::Lever, &text!("sheet-lever-forces"), &rows, 2)
     }
 
     /// The results that are asked for first.

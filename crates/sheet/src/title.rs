@@ -27,8 +27,8 @@ pub(crate) struct Filling<'a> {
 
 impl Filling<'_> {
     /// A field of the note; empty where it is left out.
-    fn of(&self, text: &Option<Text>) -> String {
-        text.as_ref().map(|text| text.render(self.language)).unwrap_or_default()
+    fn of(&self, text: Option<&Text>) -> String {
+        text.map(|text| text.render(self.language)).unwrap_or_default()
     }
 }
 
@@ -142,7 +142,7 @@ fn wrapped(words: &str, width: f64, size: f64) -> Vec<String> {
 
 fn iso(block: &mut Block, filling: &Filling<'_>) {
     let (note, language) = (filling.note, filling.language);
-    let of = |text| filling.of(text);
+    let of = |text: &Option<Text>| filling.of(text.as_ref());
     let [sheet, sheets] = filling.sheet;
     let rows = [
         ([0.0, 0.0, 45.0, 9.0], text!("sheet-department"), of(&note.department)),
@@ -199,8 +199,8 @@ fn gost_changes(block: &mut Block, filling: &Filling<'_>) {
 /// Who made the drawing and who checks it, below the changes.
 fn gost_signatures(block: &mut Block, filling: &Filling<'_>) {
     let signed = [
-        (text!("sheet-made"), filling.of(&filling.note.author)),
-        (text!("sheet-checked"), filling.of(&filling.note.supervisor)),
+        (text!("sheet-made"), filling.of(filling.note.author.as_ref())),
+        (text!("sheet-checked"), filling.of(filling.note.supervisor.as_ref())),
         (text!("sheet-technical-control"), String::new()),
         (Text::default(), String::new()),
         (text!("sheet-norm-control"), String::new()),
@@ -235,7 +235,12 @@ fn gost_rules(block: &mut Block) {
 fn gost_names(block: &mut Block, filling: &Filling<'_>) {
     let (note, language, large) = (filling.note, filling.language, Style::SHEET.em);
     let drawing = text!("sheet-drawing").render(language);
-    block.cell([65.0, 0.0, 185.0, 15.0], &filling.of(&note.sheet.number), 1.4 * large, Anchor::Middle);
+    block.cell(
+        [65.0, 0.0, 185.0, 15.0],
+        &filling.of(note.sheet.number.as_ref()),
+        1.4 * large,
+        Anchor::Middle,
+    );
     block.cell([65.0, 15.0, 135.0, 40.0], filling.title, large, Anchor::Middle);
     block.cell([65.0, 40.0, 135.0, 55.0], &drawing, large, Anchor::Middle);
     block.cell([135.0, 40.0, 185.0, 55.0], &owner(note, language), large, Anchor::Middle);

@@ -36,8 +36,11 @@ fn of_field(pages: &[Page], field: SheetField) -> Vec<Vec<&str>> {
     parts.map(|part: &Part| texts(part)).collect()
 }
 
-/// The table of forces: for each symbol what it stands for, and its value in each position, in the order of the heads.
-fn forces(pages: &[Page]) -> (Vec<usize>, BTreeMap<String, (String, Vec<String>)>) {
+/// For each symbol what it stands for, and its value in each position.
+type Forces = BTreeMap<String, (String, Vec<String>)>;
+
+/// The table of forces, with the positions of its heads.
+fn forces(pages: &[Page]) -> (Vec<usize>, Forces) {
     let parts = of_field(pages, SheetField::Forces);
     let Some(texts) = parts.into_iter().find(|texts| texts[0] == "Forces and moments") else {
         return Default::default();
