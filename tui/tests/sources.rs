@@ -18,7 +18,13 @@ fn words(line: &str) -> Vec<String> {
 /// The texts of a picture, each on a line.
 fn text_of(svg: &str) -> String {
     let texts = svg.split("<text").skip(1).filter_map(|rest| rest.split_once('>')?.1.split_once("</text>"));
-    texts.map(|(text, _)| text.replace("&apos;", "'") + "\n").collect()
+    // Subscripts have tags of their own.
+    let untagged = |text: &str| {
+        let mut parts = text.split('<');
+        let first = parts.next().unwrap_or_default().to_owned();
+        parts.fold(first, |text, part| text + part.split_once('>').map_or("", |(_, rest)| rest))
+    };
+    texts.map(|(text, _)| untagged(text).replace("&apos;", "'") + "\n").collect()
 }
 
 /// Runs the commands of a page, each in a line that begins with a sign and names what must be shown; their number.

@@ -69,6 +69,16 @@ impl Angles {
         }
     }
 
+    /// Makes the angles of each row of a table continue those of a row of another table at the same place.
+    pub(crate) fn follow_at(&mut self, linkage: &Linkage, samples: (&Table, &[usize]), table: &mut Table) {
+        let Some(coordinate) = self.coordinate.filter(|_| !self.followed.is_empty()) else { return };
+        for (row, sample) in samples.1.iter().enumerate() {
+            let at = table.values(coordinate)[row];
+            self.be_at(samples.0, *sample);
+            self.follow_row(linkage, table, row, at);
+        }
+    }
+
     /// Makes the angles of a table continue those of the rows before it: in (-pi, pi] in the first row of all, then the
     /// equivalent angle that is nearest to the one before.
     ///

@@ -24,17 +24,22 @@ impl Calculation {
             let eight = std::array::from_fn(|lane| instants[lane.min(instants.len() - 1)]);
             filler.add(Lanes::WIDTH * block, &eight, instants.len(), &mut table);
         }
-        Angles::new(table.schema()).follow(&self.linkage, &mut table);
+        let mut angles = Angles::new(table.schema());
+        angles.follow(&self.linkage, &mut table);
         let mechanism = &self.linkage.mechanism;
         let mut schema = Schema::new(mechanism);
         let (section, by_load) = (schema.section(), by_load(mechanism, schema.loads.len()));
         schema.add(section, by_load.iter().map(|(owner, _)| Column::of(Quantity::ReducedLoad, *owner)));
         let (mut loads, mut places) = (Table::new(Arc::new(schema)), Vec::new());
-        for (instant, acting) in found.instants.windows(2).filter_map(|two| self.before_rest(two)) {
+        let mut samples = Vec::new();
+        for (number, two) in found.instants.windows(2).enumerate() {
+            let Some((instant, acting)) = self.before_rest(two) else { continue };
+            samples.push(number + 1);
             filler.add(places.len(), &[instant; Lanes::WIDTH], 1, &mut between);
             loads.push(places.len(), by_load.iter().map(|(_, place)| Some(acting.each[*place])));
             places.push(instant.state.time);
         }
+        angles.follow_at(&self.linkage, (&table, &samples), &mut between);
         between.join(&loads);
         Some((table, Edges { places, between, ending: filler.table() }))
     }

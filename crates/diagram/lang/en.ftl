@@ -33,3 +33,7 @@ plan-acceleration-along = acceleration of { $point } along the guide
 plan-coriolis-part = Coriolis component: twice the angular velocity of the guide times the speed along it
 plan-point-of = point of { $slide }
 plan-point-on = { $point } on { $link }
+plan-symbol-normal = n
+plan-symbol-tangential = t
+plan-symbol-coriolis = c
+plan-symbol-relative = r

@@ -33,3 +33,7 @@ plan-acceleration-along = ускорение точки { $point } вдоль н
 plan-coriolis-part = кориолисова составляющая: удвоенное произведение угловой скорости направляющей и скорости вдоль неё
 plan-point-of = точка пары { $slide }
 plan-point-on = { $point } на { $link }
+plan-symbol-normal = n
+plan-symbol-tangential = τ
+plan-symbol-coriolis = к
+plan-symbol-relative = r

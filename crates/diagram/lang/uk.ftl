@@ -33,3 +33,7 @@ plan-acceleration-along = прискорення точки { $point } вздо�
 plan-coriolis-part = коріолісова складова: подвоєний добуток кутової швидкості напрямної та швидкості вздовж неї
 plan-point-of = точка пари { $slide }
 plan-point-on = { $point } на { $link }
+plan-symbol-normal = n
+plan-symbol-tangential = τ
+plan-symbol-coriolis = к
+plan-symbol-relative = r

@@ -36,6 +36,7 @@ fn construction_plan(construction: &Construction, drawing: Drawing) -> Option<Ve
         let factor = if is_force(step) { per_newton } else { 1.0 };
         plan.items.push(PlanVector {
             name: step.name.clone(),
+            symbol: step.name.clone(),
             image: String::new(),
             kind: step.kind,
             start: plus(step.start, scaled(per_newton, step.after)),

@@ -4,7 +4,7 @@ use assur_force::{LoadState, VectorKind};
 use assur_group::plane::{minus, perp, plus, scaled};
 use assur_kinematics::{Linkage, PointMotion, Position};
 use assur_mechanism::{CoordinateKind, GROUND, LinkId, Place, PointId, Slide};
-use assur_words::{Text, joined, name, text};
+use assur_words::{Text, joined, name, number, text};
 
 use crate::plan::{Component, VectorPlan, length};
 
@@ -95,20 +95,24 @@ impl Drawer<'_> {
         self.plan.point(point_name.clone(), image);
         if !self.is_fixed(point) {
             let symbol = symbol(self.either("v", "a"), [point_name.clone()]);
-            let note = text!(self.either("plan-velocity-of", "plan-acceleration-of"), point = point_name);
+            let note = text!(self.either("plan-velocity-of", "plan-acceleration-of"), point = &point_name);
             self.plan.push([0.0; 2], (VectorKind::Absolute, symbol, image, note));
             let letter = self.linkage.mechanism.points[point].name.to_lowercase();
-            self.plan.items.last_mut().into_iter().for_each(|item| item.image.clone_from(&letter));
+            let print = in_print(self.either("v", "a"), Text::default(), [point_name]);
+            if let Some(item) = self.plan.items.last_mut() {
+                (item.image, item.symbol) = (letter, print);
+            }
         }
     }
 
-    /// Compares the end of the components with the image to which they lead, and draws them head to tail.
-    fn parts(&mut self, start: [f64; 2], parts: Vec<Component>, image: [f64; 2], drawn: bool) {
-        let end = parts.iter().fold(start, |at, (_, _, vector, _)| plus(at, *vector));
+    /// Compares the end of the components with the image to which they lead, and draws them head to tail, each with its symbol in print.
+    fn parts(&mut self, start: [f64; 2], parts: Vec<(Component, Text)>, image: [f64; 2], drawn: bool) {
+        let end = parts.iter().fold(start, |at, ((_, _, vector, _), _)| plus(at, *vector));
         self.open = self.open.max(length(minus(end, image)));
         let mut corner = start;
-        for part in parts.into_iter().filter(|_| drawn) {
+        for (part, print) in parts.into_iter().filter(|_| drawn) {
             corner = self.plan.push(corner, part);
+            self.plan.items.last_mut().into_iter().for_each(|item| item.symbol = print.clone());
         }
     }
 
@@ -127,43 +131,47 @@ impl Drawer<'_> {
         }
     }
 
-    fn turn_parts(&self, link: usize, arm: [f64; 2], to: &Text, from: &Text) -> Vec<Component> {
+    fn turn_parts(&self, link: usize, arm: [f64; 2], to: &Text, from: &Text) -> Vec<(Component, Text)> {
         let (body, [w, e]) = (&self.position.bodies[link], self.rate);
         let link = Text::from(&self.linkage.mechanism.links[link].name);
         let of = |letter: &'static str| symbol(letter, [to.clone(), from.clone()]);
+        let print = |letter, above| in_print(letter, above, [to.clone(), from.clone()]);
         let speed = w * body.w1;
         if self.of_velocities {
             let note = text!("plan-relative-velocity", point = to, other = from, link = link);
-            return vec![(VectorKind::Relative, of("v"), scaled(speed, perp(arm)), note)];
+            let part = (VectorKind::Relative, of("v"), scaled(speed, perp(arm)), note);
+            return vec![(part, print("v", Text::default()))];
         }
         let turning = w * w * body.w2 + e * body.w1;
         let normal = text!("plan-normal-part", point = to, other = from, link = &link);
         let tangential = text!("plan-tangential-part", link = link);
-        vec![
-            (VectorKind::Normal, of("an"), scaled(-speed * speed, arm), normal),
-            (VectorKind::Tangential, of("at"), scaled(turning, perp(arm)), tangential),
-        ]
+        let normal = (VectorKind::Normal, of("an"), scaled(-speed * speed, arm), normal);
+        let tangential = (VectorKind::Tangential, of("at"), scaled(turning, perp(arm)), tangential);
+        let symbols =
+            [text!("plan-symbol-normal"), text!("plan-symbol-tangential")].map(|own| print("a", own));
+        [normal, tangential].into_iter().zip(symbols).collect()
     }
 
-    /// The name of a sliding point, and the letter of its image.
-    fn sliding_point(&self, slide: &Slide) -> (Text, String) {
+    /// The name of a sliding point, the letter of its image, and its letter in symbols, where a point
+    /// without a name has the number of its link alone.
+    fn sliding_point(&self, slide: &Slide) -> (Text, String, Text) {
         let near = 1e-12 * self.linkage.structure.scale;
         let named = self.linkage.mechanism.points.iter().find(|point| {
             let mut places = point.places.iter().filter(|own| own.link == slide.link);
             places.any(|own| length(minus(own.at, slide.point)) <= near)
         });
         match named {
-            Some(point) => (Text::from(&point.name), point.name.to_lowercase()),
-            None => (text!("plan-point-of", slide = &slide.name), slide.name.to_lowercase()),
+            Some(point) => (Text::from(&point.name), point.name.to_lowercase(), Text::from(&point.name)),
+            None => (text!("plan-point-of", slide = &slide.name), slide.name.to_lowercase(), Text::default()),
         }
     }
 
     /// The motion of the guide's point under a sliding point of a slide on a moving link, and the components of the slide.
     fn slide(&mut self, id: usize, slide: &Slide) {
-        let (name, letter) = self.sliding_point(slide);
+        let (named, letter, sliding) = self.sliding_point(slide);
         // `A on rocker`.
         let under =
-            text!("plan-point-on", point = &name, link = &self.linkage.mechanism.links[slide.on].name);
+            text!("plan-point-on", point = &named, link = &self.linkage.mechanism.links[slide.on].name);
         let carrier = &self.position.bodies[slide.on];
         let world = self.position.bodies[slide.link].point(slide.point);
         let arm = minus(world, [carrier.x, carrier.y]);
@@ -172,20 +180,27 @@ impl Drawer<'_> {
         let [w, e] = self.rate;
         let on_guide = PointMotion { pf0: [0.0; 2], pf1: carrier.first(arm), pf2: carrier.second(arm) };
         let transport = self.total(&on_guide);
-        let note = text!(self.either("plan-velocity-under", "plan-acceleration-under"), point = &name);
-        let along = text!(self.either("plan-velocity-along", "plan-acceleration-along"), point = &name);
-        let of = |letter: &'static str| symbol(letter, [name.clone(), under.clone()]);
+        let note = text!(self.either("plan-velocity-under", "plan-acceleration-under"), point = &named);
+        let along = text!(self.either("plan-velocity-along", "plan-acceleration-along"), point = &named);
+        let of = |letter: &'static str| symbol(letter, [named.clone(), under.clone()]);
         let own = symbol(self.either("v", "a"), [under.clone()]);
-        let mut parts = vec![(VectorKind::Absolute, own, transport, note)];
+        // `A` of link 2 and of its guide, link 3: `A2`, `A3`.
+        let [on_link, on_guide] =
+            [slide.link, slide.on].map(|link| joined("", [sliding.clone(), number(link)]));
+        let print = |letter, above| in_print(letter, above, [on_link.clone(), on_guide.clone()]);
+        let of_guide = in_print(self.either("v", "a"), Text::default(), [on_guide.clone()]);
+        let mut parts = vec![((VectorKind::Absolute, own, transport, note), of_guide)];
         if self.of_velocities {
             let relative = scaled(w * motion.pf1, guide);
-            parts.push((VectorKind::Relative, of("v"), relative, along));
+            parts.push(((VectorKind::Relative, of("v"), relative, along), print("v", Text::default())));
         } else {
             let coriolis = scaled(2.0 * (carrier.w1 * w) * (motion.pf1 * w), perp(guide));
             let note = text!("plan-coriolis-part");
-            parts.push((VectorKind::Coriolis, of("ac"), coriolis, note));
+            let above = text!("plan-symbol-coriolis");
+            parts.push(((VectorKind::Coriolis, of("ac"), coriolis, note), print("a", above)));
             let relative = scaled(motion.pf2 * w * w + motion.pf1 * e, guide);
-            parts.push((VectorKind::Relative, of("ar"), relative, along));
+            let above = text!("plan-symbol-relative");
+            parts.push(((VectorKind::Relative, of("ar"), relative, along), print("a", above)));
         }
         let place = Place { link: slide.link, at: slide.point };
         let image = self.total(&self.linkage.place_motion(place, self.position));
@@ -199,6 +214,12 @@ impl Drawer<'_> {
 /// The symbol of a vector with its points: `v(B/A)`.
 fn symbol<const N: usize>(letter: &'static str, points: [Text; N]) -> Text {
     joined("", [name(letter), name("("), joined("/", points), name(")")])
+}
+
+/// The symbol of a vector in print, with what it is above the letter and its points below: `a^{n}_{BA}`.
+fn in_print<const N: usize>(letter: &'static str, above: Text, points: [Text; N]) -> Text {
+    let above = if above.is_empty() { above } else { joined("", [name("^{"), above, name("}")]) };
+    joined("", [name(letter), above, name("_{"), joined("", points), name("}")])
 }
 
 /// Unit of derivatives: by time with a motion, else by the coordinate.

@@ -13,6 +13,9 @@ const PAPER: f64 = 150.0;
 pub struct PlanVector {
     /// Short name: `R(A)`, `v(B)`.
     pub name: Text,
+    /// Its symbol in print, with the points in a subscript: `v_{B}`, `a^{n}_{BA}`.
+    #[serde(skip)]
+    pub symbol: Text,
     /// The small letter of its tip in a plan of velocities or accelerations: `a`; of the point of a guide under `A` it is
     /// `a'`. Empty for vectors that have none.
     #[serde(skip)]
@@ -71,7 +74,8 @@ impl VectorPlan {
     pub(crate) fn push(&mut self, start: [f64; 2], (kind, name, vector, note): Component) -> [f64; 2] {
         let end = plus(start, vector);
         let (size, unit) = (length(vector), self.unit.clone());
-        self.items.push(PlanVector { name, image: String::new(), kind, start, end, size, unit, note });
+        let (symbol, image) = (name.clone(), String::new());
+        self.items.push(PlanVector { name, symbol, image, kind, start, end, size, unit, note });
         end
     }
 

@@ -24,9 +24,9 @@ dynamics-no-motor = the scene has no motor; give [drive] a `motor`, such as "aut
 dynamics-no-load = the loads themselves do { $work } of work per cycle: the machine needs no motor, and there is no power by which to choose one; set `against_motion = true` for what resists, or name a motor
 dynamics-rated = motor: { $cause }
 dynamics-stopped = stopped on request
-dynamics-flywheel-excess-work = J = A/(w² δ), A with a constant drive, E eq. 10
+dynamics-flywheel-excess-work = J = A/(ω² δ), A with a constant drive, E eq. 10
 dynamics-flywheel-less-inertia = the same less other inertia, E eq. 9
-dynamics-flywheel-mertsalov = J = range(A - Jv w²/2)/(w² δ) less constant inertia
+dynamics-flywheel-mertsalov = J = range(A - Jv ω²/2)/(ω² δ) less constant inertia
 dynamics-flywheel-wittenbauer = tangents of the energy-mass diagram, constant drive
 dynamics-flywheel-exact = periodic solution with the drive
 dynamics-friction-none = with dry friction no acceleration is possible here: the motion can't go on (Painlevé); lower the coefficients of friction

@@ -27,9 +27,9 @@ dynamics-no-motor = в сцене нет двигателя; задайте в [
 dynamics-no-load = нагрузки сами совершают за цикл работу { $work }: машине не нужен двигатель, и нет мощности, чтобы его выбрать; задайте сопротивлению `against_motion = true` или назовите двигатель
 dynamics-rated = двигатель: { $cause }
 dynamics-stopped = остановлено по требованию
-dynamics-flywheel-excess-work = J = A/(w² δ), A при постоянном движущем моменте, E, уравнение 10
+dynamics-flywheel-excess-work = J = A/(ω² δ), A при постоянном движущем моменте, E, уравнение 10
 dynamics-flywheel-less-inertia = то же без прочих масс, E, уравнение 9
-dynamics-flywheel-mertsalov = J = размах(A − Jv w²/2)/(w² δ) без постоянной части момента инерции
+dynamics-flywheel-mertsalov = J = размах(A − Jv ω²/2)/(ω² δ) без постоянной части момента инерции
 dynamics-flywheel-wittenbauer = касательные к диаграмме энергомасс, постоянный движущий момент
 dynamics-flywheel-exact = периодическое решение с приводом
 dynamics-friction-none = с сухим трением здесь невозможно никакое ускорение: движение не может продолжаться (Пенлеве); уменьшите коэффициенты трения

@@ -27,9 +27,9 @@ dynamics-no-motor = у сцені немає двигуна; задайте в [
 dynamics-no-load = навантаження самі виконують за цикл роботу { $work }: машині не потрібен двигун і немає потужності, щоб його вибрати; задайте опорові `against_motion = true` або назвіть двигун
 dynamics-rated = двигун: { $cause }
 dynamics-stopped = зупинено на вимогу
-dynamics-flywheel-excess-work = J = A/(w² δ), A за сталого рушійного моменту, E, рівняння 10
+dynamics-flywheel-excess-work = J = A/(ω² δ), A за сталого рушійного моменту, E, рівняння 10
 dynamics-flywheel-less-inertia = те саме без інших мас, E, рівняння 9
-dynamics-flywheel-mertsalov = J = розмах(A − Jv w²/2)/(w² δ) без сталої частини моменту інерції
+dynamics-flywheel-mertsalov = J = розмах(A − Jv ω²/2)/(ω² δ) без сталої частини моменту інерції
 dynamics-flywheel-wittenbauer = дотичні до діаграми енергомас, сталий рушійний момент
 dynamics-flywheel-exact = періодичний розв’язок із приводом
 dynamics-friction-none = із сухим тертям тут неможливе жодне прискорення: рух не може тривати (Пенлеве); зменште коефіцієнти тертя

@@ -12,10 +12,10 @@ mod write;
 use assur_words::{Language, Text, text};
 
 use crate::bounds::Bounds;
+use crate::letters::{Level, levels};
 use crate::model::{Figure, Frame, Item, Panel, Point, Stroke};
 use crate::page::{self, EM, Element, Names, Room, Style, plain, plane};
 use crate::sign::{Form, shapes};
-use crate::svg::lowered;
 use crate::trace::Paper;
 use write::{Drawing, Layer};
 
@@ -133,8 +133,10 @@ impl<'a> Sheet<'a> {
         let paper =
             Paper { place: |at: Point| [at[0] / self.scale, -at[1] / self.scale], em: EM, gap: 0.1 * EM };
         let marks: Vec<Item> = panel.items.iter().flat_map(|item| paper.marks(item)).collect();
-        let mut names =
-            Names::new(Room { left: -PAPER, top: -PAPER, width: 2.0 * PAPER, height: 2.0 * PAPER }, EM);
+        let mut names = Names::new(
+            Room { left: -PAPER, top: -PAPER, width: 2.0 * PAPER, height: 2.0 * PAPER, scale: 0.0 },
+            EM,
+        );
         for mark in &marks {
             draw_lines(mark, &mut names, drawing);
         }
@@ -172,11 +174,14 @@ impl<'a> Sheet<'a> {
     }
 }
 
-/// A text whose subscripts stand on its line.
+/// A text whose subscripts and superscripts stand on its line.
 fn flat(text: &str) -> String {
-    lowered(text)
-        .map(|(part, low)| if low.is_empty() { part.to_owned() } else { format!("{part}_{low}") })
-        .collect()
+    let part = |(part, level)| match level {
+        Level::Line => part,
+        Level::Below => format!("_{part}"),
+        Level::Above => format!("^{part}"),
+    };
+    levels(text).map(|(own, level)| part((own.to_owned(), level))).collect()
 }
 
 /// Lines, outlines and signs.

@@ -12,6 +12,7 @@ mod axis;
 mod bounds;
 pub mod cells;
 pub mod dxf;
+pub mod letters;
 pub mod mechanism;
 mod model;
 pub mod number;

@@ -5,6 +5,7 @@ mod element;
 mod legend;
 mod names;
 pub(crate) mod plane;
+mod together;
 
 pub use element::{Anchor, Element, Form, color};
 
@@ -98,6 +99,8 @@ pub(crate) struct Room {
     pub(crate) top: f64,
     pub(crate) width: f64,
     pub(crate) height: f64,
+    /// The least scale of a plane in it, units in a millimeter, where it has that of other planes; else 0.
+    pub(crate) scale: f64,
 }
 
 /// A page, mm.
@@ -203,14 +206,18 @@ fn cells(figure: &Figure, [width, height]: [f64; 2], print: &Print<'_>) -> Vec<R
     let cell = |index: usize| {
         let (row, column) = (index / columns, index % columns);
         let top = row as f64 * height + (0..row).map(below).sum::<f64>();
-        Room { left: column as f64 * width, top, width, height: height + below(row) }
+        Room { left: column as f64 * width, top, width, height: height + below(row), scale: 0.0 }
     };
     (0..figure.panels.len()).map(cell).collect()
 }
 
 /// The rooms of the panels in a width, with the width and height of all: each plane has what its drawing needs, curves have the rest of
-/// their row.
-fn shrunk(figure: &Figure, [width, height]: [f64; 2], print: &Print<'_>) -> (Vec<Room>, [f64; 2]) {
+/// their row. Planes of one kind have one scale.
+fn shrunk(figure: &Figure, size: [f64; 2], print: &Print<'_>) -> (Vec<Room>, [f64; 2]) {
+    if let Some(own) = together::placed(figure, size, print) {
+        return own;
+    }
+    let [width, height] = size;
     let is_plane = |panel: &Panel| matches!(panel.frame, Frame::Plane { .. });
     let columns = figure.columns.max(1);
     let mut rooms = cells(figure, [width, height], print);
@@ -227,7 +234,7 @@ fn shrunk(figure: &Figure, [width, height]: [f64; 2], print: &Print<'_>) -> (Vec
         let mut left = 0.0;
         for (room, panel) in row.iter_mut().zip(panels) {
             let width = if is_plane(panel) { room.width } else { share + rest / curves as f64 };
-            *room = Room { left, top: used[1], width, height: high };
+            *room = Room { left, top: used[1], width, height: high, ..*room };
             left += width;
         }
         used = [used[0].max(left), used[1] + high];

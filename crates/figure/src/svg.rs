@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use assur_words::Language;
 
+use crate::letters::{Level, levels};
 use crate::model::{Figure, Point};
 pub use crate::page::EM;
 use crate::page::{Anchor, Element, Form, Page, Style, color, elements};
@@ -193,47 +194,34 @@ fn markup(element: &Element, inner: &str) -> String {
     for (name, value) in attributes(element) {
         let _ = write!(text, " {name}=\"{value}\"");
     }
-    let letters = if let Form::Text { words, .. } = &element.form { words } else { "" };
+    let letters = if let Form::Text { words: told, size, .. } = &element.form {
+        words(told, *size)
+    } else {
+        String::new()
+    };
     if letters.is_empty() && inner.is_empty() {
         return text + "/>";
     }
-    format!("{text}>{}{inner}</{name}>", words(letters))
+    format!("{text}>{letters}{inner}</{name}>")
 }
 
-/// Height of a subscript below its line, mm.
-pub const BELOW: f64 = 0.8;
-/// Size of a subscript as part of the text size.
-pub const LOW: f64 = 0.7;
-
-fn words(text: &str) -> String {
-    let mut markup = String::new();
-    for (index, (part, low)) in lowered(text).enumerate() {
-        let part = escaped(part);
-        let _ = match index {
-            0 => write!(markup, "{part}"),
-            _ => write!(markup, "<tspan dy=\"-{BELOW}\">{part}</tspan>"),
+fn words(text: &str, size: f64) -> String {
+    let (mut markup, mut last) = (String::new(), Level::Line);
+    for (part, level) in levels(text) {
+        let (part, by) = (escaped(part), level.down(size) - last.down(size));
+        let by = if level == last { String::new() } else { format!(" dy=\"{}\"", mm(by)) };
+        last = level;
+        let small = match level {
+            Level::Line => String::new(),
+            _ => format!(" font-size=\"{:.0}%\"", 100.0 * level.size()),
         };
-        if !low.is_empty() {
-            let _ = write!(
-                markup,
-                "<tspan dy=\"{BELOW}\" font-size=\"{:.0}%\">{}</tspan>",
-                100.0 * LOW,
-                escaped(low)
-            );
-        }
+        let _ = if by.is_empty() && small.is_empty() {
+            write!(markup, "{part}")
+        } else {
+            write!(markup, "<tspan{by}{small}>{part}</tspan>")
+        };
     }
     markup
-}
-
-/// The parts of a text, each with the subscript behind it, `_{...}` in the text; the last one has none.
-pub fn lowered(text: &str) -> impl Iterator<Item = (&str, &str)> {
-    let mut rest = Some(text);
-    std::iter::from_fn(move || {
-        let Some((part, behind)) = rest?.split_once("_{") else { return rest.take().map(|part| (part, "")) };
-        let (low, behind) = behind.split_once('}').unwrap_or((behind, ""));
-        rest = Some(behind);
-        Some((part, low))
-    })
 }
 
 /// A text in which nothing is markup.

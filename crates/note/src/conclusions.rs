@@ -1,6 +1,6 @@
 //! The conclusions: what was found, what proves it, and what is weak, all from the facts of the results.
 
-use assur_book::{Document, Fact};
+use assur_book::{Document, Fact, Value};
 use assur_report::topic::{self, About};
 use assur_words::{Text, joined, text};
 
@@ -39,6 +39,7 @@ pub(super) fn conclusions(context: &Context<'_>, page: &mut Document) {
 /// A fact in a row of others.
 fn sentence(fact: &Fact) -> Text {
     let place = if fact.is_constant { Text::default() } else { fact.place() };
-    let told = joined(" ", [fact.what(), assur_words::name("—"), fact.with_unit()]);
+    let sign = if matches!(fact.value, Value::Text(_)) { "—" } else { "=" };
+    let told = joined(" ", [fact.what(), assur_words::name(sign), fact.with_unit()]);
     if place.is_empty() { told } else { text!("note-fact-at", fact = told, place) }
 }

@@ -7,7 +7,7 @@ use assur_diagram::PlanVector;
 use assur_figure::{Figure, Ink, Item, Panel, Stroke};
 use assur_force::{Construction, ConstructionStep, VectorKind};
 use assur_picture::forces::{self, beside_friction};
-use assur_picture::{Look, Reaction, Series, ViewPart, curves, mechanism, plans, plots};
+use assur_picture::{Look, Reaction, Series, ViewPart, curves, mechanism, plans, plots, polygons};
 use assur_report::topic;
 use assur_words::{Text, list, measured, name, number, text, unit};
 
@@ -15,7 +15,7 @@ use crate::context::{Context, on_paper, show, still};
 use crate::formula::Finds;
 
 /// Page of two polygons, and of a curve beside its hodograph, mm.
-const POLYGONS: [f64; 2] = [165.0, 125.0];
+const POLYGONS: [f64; 2] = [165.0, 150.0];
 const CURVE: [f64; 2] = [165.0, 85.0];
 /// Loads in one figure.
 const MOST_LOADS: usize = 4;
@@ -52,7 +52,7 @@ fn touching(context: &Context<'_>, page: &mut Document) {
     let of = |reaction| beside_friction(found, position, reaction);
     let panels: Vec<Panel> = found.reactions.iter().filter_map(of).take(MOST_CIRCLES).collect();
     let figure = Figure { panels, columns: 2, ..Figure::default() };
-    let size = [CURVE[0], 75.0 * figure.rows() as f64];
+    let size = [CURVE[0], 58.0 * figure.rows() as f64];
     let caption = text!("note-friction-drawn", place = context.place(position));
     show(page, "note-see-friction", (figure, size), caption);
 }
@@ -82,21 +82,20 @@ fn polygons(context: &Context<'_>, page: &mut Document) {
     let numbered = context.language.with_marks(mechanism::numbers(&results.linkage.mechanism));
     // Links have their numbers in symbols, as in the formulas.
     let in_print = |text: &Text| name(text.render(&numbered));
-    for (polygon, links) in plans::bodies(results).iter().enumerate() {
+    for (polygon, links) in polygons::bodies(results).iter().enumerate() {
         let vectors = |position: &usize| {
-            let all = plans::vectors(results, *position, polygon, links).into_iter();
+            let all = polygons::vectors(results, *position, polygon, links).into_iter();
             all.map(|(symbol, item)| (*position, in_print(&symbol), item)).collect::<Vec<_>>()
         };
         let vectors: Vec<Row> = context.positions.iter().flat_map(vectors).collect();
         let drawn = |look: &Look<'_>| {
-            let mut figure = plans::polygon(results, look.position, polygon, links);
+            let mut figure = polygons::polygon(results, look.position, polygon, links);
             for item in figure.panels.iter_mut().flat_map(|panel| &mut panel.items) {
                 if let Item::Name { text, .. } = item {
                     *text = in_print(text);
                 }
             }
-            // The table has the sizes of all positions.
-            Figure { legend: Vec::new(), ..figure }
+            figure
         };
         let plan = found.plans.at(context.positions[0]);
         let plan = plan.sheet.as_ref().ok().and_then(|sheet| sheet.polygons.get(polygon));
@@ -144,7 +143,7 @@ fn over_cycle(context: &Context<'_>, page: &mut Document) {
     let symbol = balance.map(|index| unit(found.series[*index].unit.name));
     // All of them together, as L fig. 2 has them.
     for picked in moduli.chunks(MOST_REACTIONS) {
-        let together = curves::figure(results, &Look { picked, ..context.first() });
+        let together = curves::with_legend(results, &Look { picked, ..context.first() });
         let caption = context.with_legend(text!("note-reactions-drawn"));
         show(page, "note-see-reactions", (on_paper(together), CURVE), caption);
     }

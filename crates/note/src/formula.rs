@@ -41,8 +41,11 @@ pub(super) struct Formulas {
 }
 
 impl Formulas {
-    /// Leaves room for a paragraph that names the formulas behind the tables before it.
+    /// Leaves room for a paragraph that names the formulas behind the tables before it; none without a table.
     pub(super) fn refer(&self, page: &mut Document, finds: Finds) {
+        if !matches!(page.blocks.last(), Some(Block::Table(_) | Block::Facts { .. })) {
+            return;
+        }
         self.wanted.borrow_mut().push((page.blocks.len(), finds));
         page.paragraph(Text::default());
     }

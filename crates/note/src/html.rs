@@ -21,7 +21,7 @@ body { font: 11pt/1.4 'Liberation Serif', 'Times New Roman', serif; max-width: 1
 .cover p { font-size: 12pt; margin: 2mm 0; } .cover p.what { font-size: 16pt; } .cover h1 { font-size: 18pt; }
 .cover table { margin: 0 0 0 auto; border: none; width: 90mm; } .cover td { border: none; text-align: left; font-size: 12pt; }
 .rule { display: inline-block; min-width: 45mm; border-bottom: 0.3mm solid #000; }
-nav { break-after: page; } nav p { margin: 1mm 0; } nav a { color: inherit; text-decoration: none; }
+nav p { margin: 1mm 0; } nav a { color: inherit; text-decoration: none; }
 nav a::after { content: leader('.') target-counter(attr(href), page); }
 h2 { font-size: 15pt; margin-top: 8mm; break-after: avoid; } h3 { font-size: 12pt; break-after: avoid; }
 p { orphans: 2; widows: 2; }
@@ -93,7 +93,7 @@ fn cover(cover: &Cover, line: &impl Fn(&Text) -> String) -> String {
     let (word, discipline) = &cover.discipline;
     let _ = write!(
         text,
-        "</div><div><p class=\"what\">{}</p><p>{} {}</p><h1>{}</h1></div><table>",
+        "</div><div><p class=\"what\">{}</p><p>{}: {}</p><h1>{}</h1></div><table>",
         line(&cover.what),
         line(word),
         filled(discipline.as_ref()),
@@ -126,11 +126,11 @@ fn table(text: &mut String, caption: &str, grid: &Grid) -> fmt::Result {
 }
 
 fn rich(text: &str) -> String {
-    sheet::rich(text, escaped, |low| format!("<sub>{}</sub>", escaped(low)))
+    sheet::rich(text, escaped, |tag, part| format!("<{tag}>{}</{tag}>", escaped(part)))
 }
 
 fn equation(sheet: &NoteSheet<'_>, terms: &[Term]) -> String {
-    let line = |text: &Text| escaped(&sheet.line(text));
+    let line = |text: &Text| escaped(&sheet.plain(text));
     let term = |term: &Term| match term {
         Term::Symbol(symbol) => {
             let below = escaped(&sheet.below(symbol));
@@ -140,7 +140,7 @@ fn equation(sheet: &NoteSheet<'_>, terms: &[Term]) -> String {
         Term::Function("sqrt") => "√".to_owned(),
         Term::Sign(_) | Term::Comma => line(&term.text()).replace('*', "·").replace('-', "−"),
         Term::Square => "<sup>2</sup>".to_owned(),
-        Term::Words(text) => format!("\u{2003}({})", line(text)),
+        Term::Words(text) => format!("\u{2003}({})", rich(&sheet.line(text))),
         Term::Function(_) | Term::Number(_) | Term::Unit(_) => line(&term.text()),
     };
     terms.iter().map(term).collect()

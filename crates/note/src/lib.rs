@@ -18,6 +18,7 @@ mod typst;
 pub mod working;
 
 use assur_book::Document;
+use assur_figure::Element;
 use assur_picture::{Results, mechanism};
 use assur_scene::Note;
 use assur_words::{Language, Text, name, text};
@@ -107,6 +108,18 @@ pub fn pdf(results: &Results, note: &Note) -> Result<Vec<u8>, Text> {
     pdf::write(&sheet).ok_or_else(|| text!("note-no-font"))
 }
 
+/// What stands on the pages of the note as PDF, from the cover, at places in millimeters.
+///
+/// # Errors
+///
+/// In words: as [`write`](fn@write).
+pub fn pages(results: &Results, note: &Note) -> Result<Vec<Vec<Element>>, Text> {
+    let language = language(note).with_digits(note.digits);
+    let mut sheet = sheet(results, note, &language)?;
+    sheet.number();
+    Ok(pdf::pages(&sheet))
+}
+
 /// What all forms write.
 fn sheet<'a>(results: &Results, note: &Note, language: &'a Language) -> Result<NoteSheet<'a>, Text> {
     let mechanism = &results.linkage.mechanism;
@@ -119,5 +132,7 @@ fn sheet<'a>(results: &Results, note: &Note, language: &'a Language) -> Result<N
     let Document { blocks, .. } = document(results, note, &positions)?;
     let cover = Cover::of(note, Text::from(&mechanism.title));
     let numbered = language.with_marks(mechanism::numbers(mechanism));
-    Ok(NoteSheet { cover, blocks, language, numbered, digits: note.digits })
+    let mut sheet = NoteSheet { cover, blocks, language, numbered, digits: note.digits };
+    sheet.formulas();
+    Ok(sheet)
 }

@@ -64,22 +64,22 @@ fn table(grid: &Grid) -> String {
     row(&grid.head) + "|" + &rules + "\n" + &grid.rows.iter().map(|cells| row(cells)).collect::<String>()
 }
 
-/// A text in which nothing is markup but its subscripts.
+/// A text in which nothing is markup but its subscripts and superscripts.
 fn rich(text: &str) -> String {
     let escaped = |letter: char| {
         if "\\`*_[]<>|$#~".contains(letter) { format!("\\{letter}") } else { letter.to_string() }
     };
     let plain =
         |text: &str| text.chars().filter(|letter| !letter.is_control()).map(escaped).collect::<String>();
-    sheet::rich(text, plain, |low| format!("<sub>{}</sub>", plain(low)))
+    sheet::rich(text, plain, |tag, part| format!("<{tag}>{}</{tag}>", plain(part)))
 }
 
 /// An equation in the notation of TeX, without what TeX or a reader of Markdown that knows no formulas takes for markup.
 fn equation(sheet: &NoteSheet<'_>, terms: &[Term]) -> String {
     let bare = |text: String| text.replace('\\', "").replace(['{', '}', '$', '<', '>', '&', '`'], " ");
-    let plain = |text: &Text| bare(sheet.line(text));
+    let plain = |text: &Text| bare(sheet.plain(text));
     let word = |text: String| format!("\\text{{{text}}}");
-    let line = |term: &Term| sheet.line(&term.text());
+    let line = |term: &Term| sheet.plain(&term.text());
     let term = |term: &Term| match term {
         Term::Symbol(symbol) => {
             let letters = plain(&symbol.letter()).replace('″', "''").replace('′', "'");

@@ -5,7 +5,7 @@ use assur_book::{Block, Document};
 use assur_picture::{Look, Picture, Series, ViewPart, assembly, curves, mechanism, motion, plans, regime};
 use assur_report::topic;
 use assur_scene::Chapter;
-use assur_words::{Text, list, name, number, text};
+use assur_words::{Text, joined, list, name, number, text, unit};
 
 use crate::context::{Context, is_zero, look, on_paper, show, show_frames};
 use crate::formula::Finds;
@@ -13,8 +13,10 @@ use crate::{conclusions, forces, formula, symbols};
 
 /// Pages of a mechanism, of several ones beside each other, and of plans, mm.
 const MECHANISM: [f64; 2] = [160.0, 120.0];
-const MECHANISMS: [f64; 2] = [165.0, 130.0];
-const PLANS: [f64; 2] = [165.0, 125.0];
+const MECHANISMS: [f64; 2] = [170.0, 220.0];
+const PLANS: [f64; 2] = [165.0, 165.0];
+/// Page of all positions over each other, whose names need room, mm.
+const OVERLAID: [f64; 2] = [165.0, 195.0];
 /// Pages of three curves, of two, and of one, mm.
 const TRANSFER: [f64; 2] = [160.0, 130.0];
 const CURVES: [f64; 2] = [160.0, 120.0];
@@ -35,8 +37,7 @@ type Part = fn(&Context<'_>, &mut Document);
 pub(super) fn document(context: &Context<'_>) -> Result<Document, Text> {
     let mut page = Document::default();
     symbols::symbols(context, &mut page);
-    let parts: [(Chapter, Part); 7] = [
-        (Chapter::Results, main_results),
+    let parts: [(Chapter, Part); 6] = [
         (Chapter::Task, task),
         (Chapter::Structure, structure),
         (Chapter::Kinematics, kinematics),
@@ -49,6 +50,7 @@ pub(super) fn document(context: &Context<'_>) -> Result<Document, Text> {
     }
     curves(context, &mut page)?;
     if context.note.has(Chapter::Results) {
+        main_results(context, &mut page);
         context.tell(&mut page, &[topic::further]);
     }
     if context.note.has(Chapter::Working) {
@@ -67,7 +69,7 @@ pub(super) fn document(context: &Context<'_>) -> Result<Document, Text> {
     Ok(page)
 }
 
-/// The numbers that are asked for first.
+/// The most important numbers of what was found.
 fn main_results(context: &Context<'_>, page: &mut Document) {
     let facts = topic::summary(&context.found.analysis, &context.results.linkage);
     page.heading(text!("report-results"));
@@ -94,7 +96,7 @@ fn curves(context: &Context<'_>, page: &mut Document) -> Result<(), Text> {
             series.map(|series| series.short.clone()).ok_or_else(|| no_column(name))
         };
         let picked: Vec<String> = names.iter().map(column).collect::<Result<_, _>>()?;
-        let figure = curves::figure(context.results, &Look { picked: &picked, ..context.first() });
+        let figure = curves::with_legend(context.results, &Look { picked: &picked, ..context.first() });
         let titles = picked.iter().filter_map(|short| context.results.named(short)).map(Series::title);
         let caption = text!("note-curves-of", of = list(titles));
         show(page, "note-see-curves", (on_paper(figure), CURVES), caption);
@@ -129,14 +131,14 @@ fn task(context: &Context<'_>, page: &mut Document) {
     let others: Vec<usize> = (0..OVER).map(|at| at * results.positions() / OVER).collect();
     let over = on_paper(assembly::positions(results, &others, context.positions[0]));
     let caption = text!("note-all-positions", place = context.place(context.positions[0]));
-    show(page, "note-see-all-positions", (over, MECHANISM), caption);
+    show(page, "note-see-all-positions", (over, OVERLAID), caption);
 }
 
 /// Mobility, pairs, groups, and the mechanism assembled group by group.
 fn structure(context: &Context<'_>, page: &mut Document) {
     page.heading(text!("report-structure"));
     context.tell(page, &[topic::mobility, topic::pairs, topic::groups]);
-    let figure = assembly::groups(context.results, context.positions[0]);
+    let figure = on_paper(assembly::groups(context.results, context.positions[0]));
     let size = [PANELS[0], PANELS[1] * figure.rows() as f64];
     let caption = text!("note-assembly", place = context.place(context.positions[0]));
     show(page, "note-see-assembly", (figure, size), caption);
@@ -199,7 +201,7 @@ fn dynamics(context: &Context<'_>, page: &mut Document) {
     let caption = text!("note-link-of-reduction", place = context.places());
     let course = (of_motion(ViewPart::Course), CURVES);
     show(page, "note-see-course", course, text!("note-speed-and-moments"));
-    let shares = (of_drive(ViewPart::Inertia), CURVE);
+    let shares = (on_paper(regime::shares_on_paper(results, look)), CURVE);
     show(page, "note-see-shares", shares, context.with_legend(text!("note-shares-drawn")));
     let diagram = (of_drive(ViewPart::EnergyMass), DIAGRAM);
     show(page, "note-see-energy-mass", diagram, text!("note-energy-mass"));
@@ -224,7 +226,10 @@ fn reduced_inertia(context: &Context<'_>, page: &mut Document) {
     let [Some(inertia), Some(slope)] = both else { return };
     if inertia.size() > 0.0 {
         let picked = &[inertia, slope].map(|series| series.short.clone());
-        let figure = curves::figure(context.results, &Look { picked, ..context.first() });
+        let mut figure = curves::with_legend(context.results, &Look { picked, ..context.first() });
+        let heading = |symbol, series: &Series| list([name(symbol), unit(series.unit.name)]);
+        let title = joined("; ", [heading("J", inertia), heading("J'", slope)]);
+        figure.panels.iter_mut().for_each(|panel| panel.title.clone_from(&title));
         let caption = context.with_legend(text!("note-reduced-inertia-drawn"));
         show(page, "note-see-inertia", (on_paper(figure), CURVE), caption);
     }

@@ -1,14 +1,14 @@
 //! A note as PDF: pages of A4 with the letters that they use. A picture that doesn't fit on a page waits for the next one, so that the
 //! text goes on in its place.
 
+mod front;
 mod lines;
 mod table;
 
 use assur_book::{Block, Term};
-use assur_figure::{Anchor, Element, Figure, Ink, Page, Style, elements};
+use assur_figure::{Anchor, Element, Figure, Frame, Ink, Page, Style, elements};
 use assur_words::{Text, number, text};
 
-use super::cover::Cover;
 use super::sheet::NoteSheet;
 use lines::wrapped;
 
@@ -32,9 +32,13 @@ const APART: f64 = 2.2;
 /// What must fit below a heading, mm.
 const KEPT: f64 = 36.0;
 /// How full a page is that may end before a heading, as part of its height.
-const FULL: f64 = 0.7;
+const FULL: f64 = 0.69;
+/// Down to which part of its height a picture of curves is lower where the page has no more room.
+const SHRUNK: f64 = 0.7;
 /// Lines of a paragraph that no page divides.
 const UNDIVIDED: usize = 3;
+/// What must fit below a paragraph that leads to an equation, mm.
+const LEADING: f64 = 8.0;
 /// Height of a heading in a chapter, mm.
 const HEADED: f64 = 14.0;
 /// Width of a rule that is to be filled in by hand, mm, and of the lines of tables.
@@ -53,6 +57,8 @@ pub(super) struct Pages {
     done: Vec<Vec<Element>>,
     y: f64,
     waiting: Vec<Float>,
+    /// Whether the last thing on the page is a heading.
+    headed: bool,
 }
 
 impl Pages {
@@ -78,6 +84,7 @@ impl Pages {
         let y = self.y;
         self.page().extend(float.elements.into_iter().map(|element| element.moved([LEFT, y])));
         self.y += float.high;
+        self.headed = false;
     }
 
     /// Makes room for so much, on a new page where this one has too little.
@@ -109,134 +116,194 @@ impl Pages {
         self.y += LINE * size;
         let at = [LEFT + indent, self.y];
         self.page().push(Element::text(at, words, size, Anchor::Start, Ink::Text));
+        self.headed = false;
     }
 
-    fn paragraph(&mut self, words: &str, size: f64) {
+    /// A paragraph with so much room below it, mm.
+    fn paragraph(&mut self, words: &str, size: f64, below: f64) {
         let lines = wrapped(words, WIDTH, size);
-        if lines.len() <= UNDIVIDED {
-            self.need(LINE * size * lines.len() as f64);
-        }
-        for line in &lines {
+        let high = |count: usize| LINE * size * count as f64;
+        for (at, line) in lines.iter().enumerate() {
+            // No page begins or ends with one line of several.
+            match lines.len() - at {
+                left if left == lines.len() && left <= UNDIVIDED => self.need(high(left) + below),
+                2 => self.need(high(2) + below),
+                _ if at == 0 => self.need(high(2)),
+                _ => {}
+            }
             self.line(line, size, 0.0);
         }
         self.y += APART;
     }
 
-    /// A heading with what must stand below it, and so much more.
-    fn heading(&mut self, words: &str, size: f64, more: f64) {
+    /// A heading with so much below it, mm; `begins`: whether pictures that wait stand before it.
+    fn heading(&mut self, words: &str, size: f64, below: f64, begins: bool) {
         // Pictures that wait belong to what is above, where this doesn't leave a page half empty.
-        if !self.waiting.is_empty() && self.y > TOP + FULL * (LAST - TOP) {
+        if begins && !self.waiting.is_empty() && self.y > TOP + FULL * (LAST - TOP) {
             self.begin();
         }
-        self.need(KEPT + more);
+        // What is higher than a page fits on none.
+        self.need(below.min(LAST - TOP));
         self.y += APART;
-        self.paragraph(words, size);
+        self.paragraph(words, size, 0.0);
+        self.headed = true;
     }
 }
 
 /// The whole file; `None` where its letters can't be taken from the font that is built in.
 pub(super) fn write(sheet: &NoteSheet<'_>) -> Option<Vec<u8>> {
+    let all = pages(sheet);
+    let all: Vec<_> = all.iter().map(|elements| assur_pdf::Page { size: PAPER, elements }).collect();
+    assur_pdf::write(&sheet.line(&sheet.cover.title), &all)
+}
+
+/// What stands on each page, from the cover.
+pub(super) fn pages(sheet: &NoteSheet<'_>) -> Vec<Vec<Element>> {
     let mut pages = Pages::default();
-    cover(&sheet.cover, sheet, &mut pages);
+    front::cover(&sheet.cover, sheet, &mut pages);
     // The contents have room on the second page; the numbers of pages are known at the end.
     pages.begin();
-    pages.y = TOP + contents_height(sheet.chapters().count());
-    let (mut chapters, [mut equations, mut tables]) = (Vec::new(), [0_usize; 2]);
-    for (at, block) in sheet.blocks.iter().enumerate() {
-        match block {
-            Block::Title(_) => {}
-            Block::Heading(title) => {
-                let title = sheet.line(title);
-                let next = sheet.blocks.get(at + 1);
-                let more = if matches!(next, Some(Block::Subheading(_))) { HEADED } else { 0.0 };
-                pages.heading(&title, HEADING, more);
-                chapters.push((title, pages.done.len()));
-            }
-            Block::Subheading(title) => pages.heading(&sheet.line(title), SUBHEADING, 0.0),
-            Block::Paragraph(words) => {
-                sheet.paragraphs(words).iter().for_each(|words| pages.paragraph(words, BODY));
-            }
-            Block::Equation(terms) => {
-                equations += 1;
-                equation(&mut pages, &written(sheet, terms), equations);
-            }
-            Block::Figure { frames, size, caption } => {
-                pages.float(picture(sheet, &frames[0], *size, &sheet.line(caption)));
-            }
-            Block::Table(_) | Block::Facts { .. } => {
-                tables += 1;
-                if let Some(of) = block.as_table() {
-                    let again = sheet.line(&text!("note-table-goes-on", number = number(tables)));
-                    table::put(&mut pages, [&sheet.line(&of.caption), &again], &sheet.grid(&of));
-                }
-            }
-        }
+    pages.y = TOP + front::contents_height(sheet.chapters().count());
+    let mut body = Body { sheet, pages, chapters: Vec::new(), equations: 0, tables: 0 };
+    let mut rest = &sheet.blocks[..];
+    while !rest.is_empty() {
+        let done = body.block(rest);
+        rest = &rest[done..];
     }
+    let Body { mut pages, chapters, .. } = body;
     while !pages.waiting.is_empty() {
         pages.begin();
     }
-    contents(sheet, &mut pages.done[1], &chapters);
+    front::contents(sheet, &mut pages.done[1], &chapters);
     for (number, page) in pages.done.iter_mut().enumerate().skip(1) {
         let at = [LEFT + WIDTH, PAPER[1] - 12.0];
         page.push(Element::text(at, &(number + 1).to_string(), BODY, Anchor::End, Ink::Text));
     }
-    let all: Vec<_> = pages.done.iter().map(|elements| assur_pdf::Page { size: PAPER, elements }).collect();
-    assur_pdf::write(&sheet.line(&sheet.cover.title), &all)
+    pages.done
 }
 
-/// The cover; what is left out is a rule.
-fn cover(cover: &Cover, sheet: &NoteSheet<'_>, pages: &mut Pages) {
-    let middle = LEFT + 0.5 * WIDTH;
-    let page = pages.page();
-    let mut y = 30.0;
-    let mut put = |(word, row): (Option<&Text>, Option<&Text>), size: f64, [x, above]: [f64; 2], anchor| {
-        y += above;
-        let word = word.map_or_else(String::new, |word| sheet.line(word) + ": ");
-        if let Some(row) = row {
-            let lines = wrapped(&(word + &sheet.line(row)), WIDTH, size);
-            for (number, line) in lines.iter().enumerate() {
-                y += if number > 0 { LINE * size } else { 0.0 };
-                page.push(Element::text([x, y], line, size, anchor, Ink::Text));
+/// What is written of the blocks so far.
+struct Body<'a> {
+    sheet: &'a NoteSheet<'a>,
+    pages: Pages,
+    /// The chapters with their pages.
+    chapters: Vec<(String, usize)>,
+    equations: usize,
+    tables: usize,
+}
+
+impl Body<'_> {
+    /// Writes the first of some blocks; returns how many it took.
+    fn block(&mut self, blocks: &[Block]) -> usize {
+        let (sheet, next) = (self.sheet, blocks.get(1));
+        match &blocks[0] {
+            Block::Title(_) => {}
+            Block::Heading(title) => {
+                let title = sheet.line(title);
+                self.pages.heading(&title, HEADING, Self::below_heading(&blocks[1..]), true);
+                self.chapters.push((title, self.pages.done.len()));
+                if let Some(Block::Subheading(title)) = next {
+                    self.pages.heading(&sheet.line(title), SUBHEADING, KEPT, false);
+                    return 2;
+                }
             }
-        } else {
-            let width = assur_pdf::text_width(&word, size);
-            let from = if anchor == Anchor::Middle { x - 0.5 * (width + RULE) } else { x };
-            page.push(Element::text([from, y], &word, size, Anchor::Start, Ink::Text));
-            let ends = [[from + width, y + 0.8], [from + width + RULE, y + 0.8]];
-            page.push(Element::line(ends, FINE, Ink::Text));
+            Block::Subheading(title) => self.pages.heading(&sheet.line(title), SUBHEADING, KEPT, true),
+            Block::Paragraph(words) => {
+                if let Some(figure @ Block::Figure { .. }) = next {
+                    self.told(words, figure);
+                    return 2;
+                }
+                self.paragraph(words, matches!(next, Some(Block::Equation(_))));
+            }
+            Block::Equation(terms) => {
+                self.equations += 1;
+                equation(&mut self.pages, &written(sheet, terms), self.equations);
+                if !matches!(next, Some(Block::Equation(_))) {
+                    self.pages.y += APART;
+                }
+            }
+            figure @ Block::Figure { .. } => {
+                self.pages.float(self.picture(&Text::default(), figure, f64::INFINITY));
+            }
+            table @ (Block::Table(_) | Block::Facts { .. }) => {
+                self.tables += 1;
+                if let Some(of) = table.as_table() {
+                    let again = sheet.line(&text!("note-table-goes-on", number = number(self.tables)));
+                    table::put(&mut self.pages, [&sheet.line(&of.caption), &again], &sheet.grid(&of));
+                }
+            }
         }
-    };
-    for row in &cover.above {
-        put((None, row.as_ref()), SUBHEADING, [middle, 9.0], Anchor::Middle);
+        1
     }
-    put((None, Some(&cover.what)), HEADING, [middle, 45.0], Anchor::Middle);
-    put((Some(&cover.discipline.0), cover.discipline.1.as_ref()), SUBHEADING, [middle, 10.0], Anchor::Middle);
-    put((None, Some(&cover.title)), TITLE, [middle, 14.0], Anchor::Middle);
-    for (number, (word, who)) in cover.people.iter().enumerate() {
-        let above = if number == 0 { 45.0 } else { 9.0 };
-        put((Some(word), who.as_ref()), SUBHEADING, [LEFT + 85.0, above], Anchor::Start);
+
+    /// A picture with the sentence that names it; where the picture waits, the sentence goes with it, but stays below a heading and on a
+    /// page that would end too early.
+    fn told(&mut self, words: &Text, figure: &Block) {
+        let mut whole = self.picture(words, figure, f64::INFINITY);
+        let pages = &self.pages;
+        let room = LAST - pages.y;
+        if pages.waiting.is_empty()
+            && whole.high > room
+            && room >= SHRUNK * whole.high
+            && is_of_curves(figure)
+        {
+            whole = self.picture(words, figure, room);
+        }
+        let stays = pages.headed || pages.waiting.is_empty() && pages.y < TOP + FULL * (LAST - TOP);
+        let fits = pages.waiting.is_empty() && pages.y + whole.high <= LAST;
+        if fits || !stays {
+            return self.pages.float(whole);
+        }
+        self.paragraph(words, false);
+        self.pages.float(self.picture(&Text::default(), figure, f64::INFINITY));
     }
-    for (number, row) in cover.below.iter().enumerate() {
-        let above = if number == 0 { 40.0 } else { 8.0 };
-        put((None, row.as_ref()), SUBHEADING, [middle, above], Anchor::Middle);
+
+    /// A paragraph, which does not stand apart from an equation that it leads to.
+    fn paragraph(&mut self, words: &Text, leads: bool) {
+        let words = self.sheet.paragraphs(words);
+        let last = words.len().saturating_sub(1);
+        for (at, own) in words.iter().enumerate() {
+            let leads = leads && at == last;
+            self.pages.paragraph(own, BODY, if leads { LEADING } else { 0.0 });
+            if leads {
+                self.pages.y -= 0.7 * APART;
+            }
+        }
+    }
+
+    /// What must stand below a heading before these blocks, mm.
+    fn below_heading(blocks: &[Block]) -> f64 {
+        match blocks {
+            [Block::Subheading(_), ..] => KEPT + HEADED,
+            _ => KEPT,
+        }
+    }
+
+    /// A picture below the sentence that names it; curves are so low that all has this height.
+    fn picture(&self, words: &Text, figure: &Block, room: f64) -> Float {
+        let Block::Figure { frames, size, caption } = figure else {
+            return Float { elements: Vec::new(), high: 0.0 };
+        };
+        let (mut elements, mut high) = (Vec::new(), 0.0);
+        for line in self.sheet.paragraphs(words).iter().flat_map(|own| wrapped(own, WIDTH, BODY)) {
+            high += LINE * BODY;
+            elements.push(Element::text([0.0, high], &line, BODY, Anchor::Start, Ink::Text));
+        }
+        high += if elements.is_empty() { 0.0 } else { APART };
+        let of = |size| picture(self.sheet, &frames[0], size, &self.sheet.line(caption));
+        let mut drawn = of(*size);
+        if high + drawn.high > room {
+            drawn = of([size[0], size[1] - (high + drawn.high - room)]);
+        }
+        elements.extend(drawn.elements.into_iter().map(|element| element.moved([0.0, high])));
+        Float { elements, high: high + drawn.high }
     }
 }
 
-/// The height of the contents of so many chapters, mm.
-fn contents_height(chapters: usize) -> f64 {
-    LINE * HEADING + 2.0 * BODY * chapters as f64 + 6.0 * APART
-}
-
-fn contents(sheet: &NoteSheet<'_>, page: &mut Vec<Element>, chapters: &[(String, usize)]) {
-    let head = sheet.line(&text!("note-contents"));
-    let mut y = TOP + LINE * HEADING;
-    page.push(Element::text([LEFT, y], &head, HEADING, Anchor::Start, Ink::Text));
-    y += 2.0 * APART;
-    for (title, number) in chapters {
-        y += 2.0 * BODY;
-        page.push(Element::text([LEFT, y], title, BODY, Anchor::Start, Ink::Text));
-        page.push(Element::text([LEFT + WIDTH, y], &number.to_string(), BODY, Anchor::End, Ink::Text));
-    }
+/// Whether a figure has curves alone, which have no scale that a lower one would change.
+fn is_of_curves(figure: &Block) -> bool {
+    let Block::Figure { frames, .. } = figure else { return false };
+    frames[0].panels.iter().all(|panel| matches!(panel.frame, Frame::Axes { .. }))
 }
 
 fn picture(sheet: &NoteSheet<'_>, figure: &Figure, size: [f64; 2], caption: &str) -> Float {
@@ -256,6 +323,7 @@ fn equation(pages: &mut Pages, words: &str, number: usize) {
     const INDENT: f64 = 8.0;
     const NUMBER: f64 = 14.0;
     let lines = wrapped(words, WIDTH - INDENT - NUMBER, BODY);
+    pages.need(LINE * BODY * (lines.len() as f64 + 0.25));
     for (at, line) in lines.iter().enumerate() {
         pages.line(line, BODY, if at == 0 { INDENT } else { 1.5 * INDENT });
     }

@@ -1,7 +1,7 @@
 //! What a form writes: texts and tables in the words of the language.
 
-use assur_book::{Block, Printed, Table};
-use assur_figure::svg::lowered;
+use assur_book::{Block, Printed, Table, Value};
+use assur_figure::letters::{Level, indexed, levels};
 use assur_words::{Language, Text, joined, number, unit};
 use assur_worksheet::Symbol;
 
@@ -26,6 +26,11 @@ pub(super) struct Grid {
 
 impl NoteSheet<'_> {
     pub(super) fn line(&self, text: &Text) -> String {
+        indexed(&self.plain(text))
+    }
+
+    /// A text as it stands in an equation, whose symbols have their subscripts apart.
+    pub(super) fn plain(&self, text: &Text) -> String {
         // Signs of print, in every language; names need no quotes on paper.
         text.render(self.language).replace("->", "→").replace('`', "")
     }
@@ -33,6 +38,30 @@ impl NoteSheet<'_> {
     /// The subscripts of a symbol, in which links have their numbers.
     pub(super) fn below(&self, symbol: &Symbol) -> String {
         symbol.subscript().render(&self.numbered).replace('`', "")
+    }
+
+    /// Gives the links of structural formulas their numbers, as the drawings have them.
+    pub(super) fn formulas(&mut self) {
+        let in_numbers =
+            |text: &Text, numbered: &Language| assur_words::name(text.render(numbered).replace('`', ""));
+        for block in &mut self.blocks {
+            match block {
+                Block::Paragraph(words) if words.identity() == Some("report-formula") => {
+                    *words = in_numbers(words, &self.numbered);
+                }
+                Block::Paragraph(words) if words.identity() == Some("note-concluded-structure") => {
+                    *words = in_numbers(words, &self.numbered);
+                }
+                Block::Facts { facts, .. } => {
+                    for fact in facts.iter_mut().filter(|fact| fact.id == "fact-formula") {
+                        if let Value::Text(words) = &mut fact.value {
+                            *words = in_numbers(words, &self.numbered);
+                        }
+                    }
+                }
+                _ => {}
+            }
+        }
     }
 
     /// Gives headings, figures and tables their numbers.
@@ -61,9 +90,14 @@ impl NoteSheet<'_> {
         }
     }
 
-    /// A text as paragraphs: an empty line divides them.
+    /// A text as paragraphs, each with a stop at its end: an empty line divides them.
     pub(super) fn paragraphs(&self, text: &Text) -> Vec<String> {
-        self.line(text).split("\n\n").map(|part| part.trim().to_owned()).collect()
+        let stopped = |part: &str| {
+            let stop =
+                if part.is_empty() || part.ends_with(['.', ':', ';', ',', '!', '?']) { "" } else { "." };
+            part.to_owned() + stop
+        };
+        self.line(text).split("\n\n").map(|part| stopped(part.trim())).collect()
     }
 
     /// The headings of the chapters, each with its number from 1.
@@ -88,7 +122,7 @@ impl NoteSheet<'_> {
                 .cells
                 .get(row)
                 .map(|cell| self.line(cell))
-                .map(|cell| if cell == "-" { "–".into() } else { cell })
+                .map(|cell| if cell == "-" || cell.is_empty() { "–".into() } else { cell })
         };
         let row = |row: usize| columns.iter().map(|column| cell(column, row).unwrap_or_default()).collect();
         Grid {
@@ -110,10 +144,17 @@ fn with_subscript(head: String) -> String {
     }
 }
 
-/// A text with its subscripts in a form: what writes a text in which nothing is markup, and what writes a subscript.
-pub(super) fn rich(text: &str, plain: impl Fn(&str) -> String, low: impl Fn(&str) -> String) -> String {
-    let part = |(part, below): (&str, &str)| {
-        plain(part) + &if below.is_empty() { String::new() } else { low(below) }
+/// A text with its subscripts and superscripts in a form: what writes a text in which nothing is markup, and what writes one of these,
+/// `sub` or `sup`.
+pub(super) fn rich(
+    text: &str,
+    plain: impl Fn(&str) -> String,
+    small: impl Fn(&'static str, &str) -> String,
+) -> String {
+    let part = |(part, level): (&str, Level)| match level {
+        Level::Line => plain(part),
+        Level::Below => small("sub", part),
+        Level::Above => small("sup", part),
     };
-    lowered(text).map(part).collect()
+    levels(text).map(part).collect()
 }

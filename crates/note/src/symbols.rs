@@ -71,7 +71,7 @@ pub(super) fn symbols(context: &Context<'_>, page: &mut Document) {
         symbol => name(symbol),
     };
     let rows = [of_motion(context), of_forces(context)].concat();
-    let symbols = Table::each(text!("note-symbols"), rows)
+    let symbols = Table::each(text!("note-symbols-table"), rows)
         .column(text!("note-symbol"), letter)
         .column(text!("head-meaning"), |(_, meaning, _)| Text::message(meaning, Vec::new()))
         .column(text!("fact-unit"), |(.., own)| unit(own.name));

@@ -83,15 +83,15 @@ fn quoted(text: &str) -> String {
     format!("\"{}\"", text.replace('\\', "\\\\").replace('"', "\\\""))
 }
 
-/// A text in which nothing is markup but its subscripts.
+/// A text in which nothing is markup but its subscripts and superscripts.
 fn rich(text: &str) -> String {
-    sheet::rich(text, |part| format!("#{};", quoted(part)), |low| format!("#sub({})", quoted(low)))
+    sheet::rich(text, |part| format!("#{};", quoted(part)), |tag, part| format!("#{tag}({})", quoted(part)))
 }
 
 fn equation(sheet: &NoteSheet<'_>, terms: &[Term]) -> String {
     let term = |term: &Term| match term {
         Term::Symbol(symbol) => {
-            let (letters, below) = (sheet.line(&symbol.letter()), sheet.below(symbol));
+            let (letters, below) = (sheet.plain(&symbol.letter()), sheet.below(symbol));
             let primes = letters.trim_start_matches(|c: char| c.is_alphabetic());
             let letters = letters.trim_end_matches(primes);
             let letters = if letters.chars().count() > 1 { quoted(letters) } else { letters.to_owned() };
@@ -101,16 +101,16 @@ fn equation(sheet: &NoteSheet<'_>, terms: &[Term]) -> String {
         }
         Term::Function("sqrt") => "√".to_owned(),
         Term::Function(text) => format!("op({})", quoted(text)),
-        Term::Number(_) => quoted(&sheet.line(&term.text())) + " ",
+        Term::Number(_) => quoted(&sheet.plain(&term.text())) + " ",
         Term::Square => "^2 ".to_owned(),
         Term::Sign(_) | Term::Comma => sheet
-            .line(&term.text())
+            .plain(&term.text())
             .replace('/', "\\/")
             .replace(['·', '*'], " dot ")
             .replace('−', "-")
             .replace('"', "\\\""),
-        Term::Unit(symbol) => format!(" space {}", quoted(&sheet.line(&unit(*symbol)))),
-        Term::Words(text) => format!(" quad ({})", quoted(&sheet.line(text))),
+        Term::Unit(symbol) => format!(" space {}", quoted(&sheet.plain(&unit(*symbol)))),
+        Term::Words(text) => format!(" quad ({})", quoted(&sheet.plain(text))),
     };
     terms.iter().map(term).collect()
 }

@@ -2,7 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use assur_figure::svg::{FONT, LOW, lowered};
+use assur_figure::letters::levels;
+use assur_figure::svg::FONT;
 use pdf_writer::types::{CidFontType, FontFlags, SystemInfo, UnicodeCmap};
 use pdf_writer::{Filter, Finish, Name, Pdf, Rect, Ref, Str};
 use skrifa::instance::{LocationRef, Size};
@@ -59,7 +60,7 @@ impl Letters {
 
     /// Width of a text with its subscripts, as part of the text size.
     pub(crate) fn width(&mut self, words: &str) -> f64 {
-        lowered(words).map(|(part, low)| self.encoded(part).1 + LOW * self.encoded(low).1).sum()
+        levels(words).map(|(part, level)| level.size() * self.encoded(part).1).sum()
     }
 
     /// Writes the font with the letters that were used.

@@ -1,6 +1,6 @@
 //! The content of a page: elements as operators of PDF.
 
-use assur_figure::svg::{BELOW, LOW, lowered};
+use assur_figure::letters::levels;
 use assur_figure::{Anchor, Element, Form, Ink, Point, color};
 use pdf_writer::types::{LineCapStyle, LineJoinStyle};
 use pdf_writer::{Content, Name, Str};
@@ -135,14 +135,12 @@ impl Writer<'_> {
         x -= before * narrow * size * self.letters.width(words);
         let [red, green, blue] = shade(ink);
         self.content.set_fill_rgb(red, green, blue).begin_text();
-        for (part, low) in lowered(words) {
-            for (letters, size, down) in [(part, size, 0.0), (low, LOW * size, BELOW)] {
-                let (bytes, width) = self.letters.encoded(letters);
-                let [left, base] = self.at([x, y + down]);
-                x += narrow * width * size;
-                self.content.set_font(FONT, single(size * POINT));
-                self.content.set_text_matrix([single(narrow), 0.0, 0.0, 1.0, left, base]).show(Str(&bytes));
-            }
+        for (part, level) in levels(words) {
+            let (bytes, width) = self.letters.encoded(part);
+            let ([left, base], own) = (self.at([x, y + level.down(size)]), level.size() * size);
+            x += narrow * width * own;
+            self.content.set_font(FONT, single(own * POINT));
+            self.content.set_text_matrix([single(narrow), 0.0, 0.0, 1.0, left, base]).show(Str(&bytes));
         }
         self.content.end_text();
     }

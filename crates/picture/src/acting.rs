@@ -103,7 +103,7 @@ impl<'a> Acting<'a> {
                 let of = |symbol, told| [joined("", [symbol, name(suffix.clone())]), told];
                 let [line, dashed] = [Stroke::Solid, Stroke::Dashed].map(|stroke| (stroke, Ink::Second));
                 self.push(at, Kind::Force, [0.0; 2], of(name("K"), Text::default()), line);
-                self.push(at, Kind::Force, normal, of(name("Fc"), Text::default()), dashed);
+                self.push(at, Kind::Force, normal, of(name("F_{c}"), Text::default()), dashed);
                 self.push(at, Kind::Force, friction, of(text!("contact-friction"), Text::default()), dashed);
                 self.push(at, Kind::Force, force, of(name("F"), told), line);
             } else if are_wanted(load.cause) {

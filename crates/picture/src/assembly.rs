@@ -1,48 +1,72 @@
-//! The mechanism put together group by group, and in many positions over each other.
+//! The groups of the mechanism apart from each other, and the mechanism in many positions over each other.
 
 use std::collections::HashMap;
 
 use assur_figure::mechanism::Drawing;
-use assur_figure::{Bounds, Figure, Ink, Item, Panel, Scale, Stroke};
+use assur_figure::{Bounds, Figure, Frame, Ink, Item, Panel, Scale, Stroke};
 use assur_geometry::overview;
 use assur_group::Order;
+use assur_group::plane::{length, minus};
 use assur_kinematics::Position;
 use assur_mechanism::{GROUND, LinkId};
-use assur_words::{Text, joined, list, name, number, text};
+use assur_words::{Text, joined, name, text};
 
 use crate::arrows::Shown;
 use crate::{Results, mechanism};
 
-/// Panels beside each other, and in one figure.
-const COLUMNS: usize = 2;
+/// Groups in one figure.
 const MOST: usize = 6;
 
-/// The input link alone, then with the first group, with the second one, and so on; the new links are marked.
+/// The input links with what holds them, then each group apart from the others, as schemes without a scale.
 pub fn groups(results: &Results, position: usize) -> Figure {
     let Some(pose) = results.pose(position, 0.0) else { return Figure::default() };
     let linkage = &results.linkage;
     let inputs: Vec<LinkId> = linkage.mechanism.input.placed().collect();
-    let mut hidden: Vec<LinkId> =
-        (1..linkage.mechanism.links.len()).filter(|link| !inputs.contains(link)).collect();
-    let mut panel = |title: Text, marked: &[LinkId]| {
-        hidden.retain(|link| !marked.contains(link));
-        let drawing = Drawing { hidden: &hidden, ..mechanism::drawing(results, marked) };
-        Panel { title, ..mechanism::plane(results, drawing.items(&pose)) }
-    };
-    // A pair between two moving links belongs to a group.
-    let named = |input: &LinkId| Text::from(&linkage.mechanism.links[*input].name);
+    let numbers = |links: &[LinkId]| links.iter().map(ToString::to_string).collect::<Vec<_>>().join(",");
     let mut panels = Vec::new();
     if !inputs.is_empty() {
-        let title = text!("assembly-input-link", link = list(inputs.iter().map(named)));
-        panels.push(panel(title, &inputs));
+        let formula = name(format!("I({GROUND},{})", numbers(&inputs)));
+        panels.push(apart(results, &pose, &inputs, true, text!("assembly-input-link", formula)));
     }
-    for (index, group) in linkage.structure.groups.iter().enumerate().take(MOST - 1) {
-        let kind = name(group.plugin.name.to_uppercase());
-        panels
-            .push(panel(text!("assembly-with-group", number = number(index + 1), kind), &group.frame.links));
+    let groups = linkage.structure.groups.iter().filter(|group| !group.frame.links.is_empty());
+    for group in groups.take(MOST - panels.len()) {
+        let links = &group.frame.links;
+        let formula = name(format!("{}({})", group.sort(), numbers(links)));
+        panels.push(apart(results, &pose, links, false, text!("assembly-group", formula)));
     }
-    let columns = COLUMNS.min(panels.len());
+    let count = panels.len();
+    let columns = if count <= 3 { count } else { count.div_ceil(2) };
     Figure { panels, columns, ..Figure::default() }
+}
+
+/// Some links apart from the rest of the mechanism, or with what the ground holds of them.
+fn apart(results: &Results, pose: &Position, links: &[LinkId], grounded: bool, title: Text) -> Panel {
+    /// How far from its center a circle of straight pieces may lie, as part of its size.
+    const ROUND: f64 = 0.05;
+    let mechanism = &results.linkage.mechanism;
+    let is_shown = |link: &LinkId| links.contains(link) || grounded && *link == GROUND;
+    let others: Vec<LinkId> = (0..mechanism.links.len()).filter(|link| !is_shown(link)).collect();
+    let drawing = Drawing { hidden: &others, ..mechanism::drawing(results, &[]) };
+    let mut items = drawing.items(pose);
+    let slides = mechanism.slides.iter().any(|slide| slide.on == GROUND && links.contains(&slide.link));
+    // Other places of the ground are not those of these links.
+    let is_own = |point: &assur_mechanism::Point| links.iter().any(|link| point.on(*link).is_some());
+    let others = mechanism.points.iter().filter(|point| !is_own(point));
+    let foreign: Vec<[f64; 2]> = others.filter_map(|point| point.on(GROUND)).collect();
+    let is_foreign = |at: &[f64; 2]| foreign.iter().any(|own| length(minus(*own, *at)) == 0.0);
+    items.retain(|item| match item {
+        Item::Ground { .. } => grounded && slides,
+        Item::Sign { at, .. } | Item::Name { at, .. } => !is_foreign(at),
+        // A circle of friction around such a place.
+        Item::Line { points, .. } => {
+            let own = Bounds::around(points.iter().copied());
+            let near = |at: &[f64; 2]| length(minus(*at, own.center())) < ROUND * length(own.size());
+            !foreign.iter().any(near)
+        }
+        _ => true,
+    });
+    let bounds = Bounds::around(items.iter().flat_map(Item::points));
+    Panel { title, frame: Frame::Plane { bounds, scales: Vec::new() }, items }
 }
 
 /// The mechanism in one position, in these others behind it as fine lines and in the dead points of its output as dashed ones, with the paths
@@ -81,22 +105,6 @@ pub fn positions(results: &Results, others: &[usize], chosen: usize) -> Figure {
     items.extend(numbers);
     let legend = mechanism::links(&drawing).collect();
     Figure { legend, ..Figure::of(mechanism::plane(results, items)) }
-}
-
-/// The symbols of what acts on some links that are taken out of the mechanism in a position, each with what it is; force and moment
-/// of one cause stand together.
-pub fn acting(results: &Results, position: usize, links: &[LinkId]) -> Vec<[Text; 2]> {
-    let shown = Shown::on_links(results, position, links);
-    let mut all: Vec<[Text; 2]> = Vec::new();
-    for arrow in shown.iter().flat_map(Shown::all).filter(|arrow| !arrow.told.is_empty()) {
-        let (symbol, told) = (arrow.name.clone(), &arrow.told);
-        let told = if arrow.of_pair { text!("assembly-reaction", of = told) } else { told.clone() };
-        match all.iter_mut().find(|own| own[1] == told) {
-            Some([symbols, _]) => *symbols = list([symbols.clone(), symbol]),
-            None => all.push([symbol, told]),
-        }
-    }
-    all
 }
 
 /// Some links taken out of the mechanism in a position, with their loads and the reactions of the bodies that stay.

@@ -165,6 +165,27 @@ pub(crate) fn together(results: &Results, look: &Look<'_>, all: &[&Series]) -> F
     Figure { panels, columns: 1, legend, ..Figure::default() }
 }
 
+/// The quantities that were picked as paper has them: their names stand in the legend, the heading of each panel says what they have in
+/// common.
+pub fn with_legend(results: &Results, look: &Look<'_>) -> Figure {
+    let all = picked(results, look);
+    let mut figure = together(results, look, &all.iter().collect::<Vec<_>>());
+    if figure.legend.is_empty() {
+        return figure;
+    }
+    let units = different(all.iter().map(|series| without_radians(series.unit.name)));
+    for (panel, unit) in figure.panels.iter_mut().zip(units) {
+        let own: Vec<&Series> =
+            all.iter().filter(|series| without_radians(series.unit.name) == unit).collect();
+        let kind = &own[0].kind;
+        let kind = if own.iter().all(|series| series.kind == *kind) { kind.clone() } else { Text::default() };
+        let units = different(own.iter().map(|series| series.unit.name));
+        let units = units.into_iter().map(|unit| assur_words::unit(unit.to_owned()));
+        panel.title = list(std::iter::once(kind).chain(units).filter(|text| !text.is_empty()));
+    }
+    figure
+}
+
 /// Each of them once, in the order in which it comes first.
 fn different<'a>(all: impl Iterator<Item = &'a str>) -> Vec<&'a str> {
     let mut seen = BTreeSet::new();

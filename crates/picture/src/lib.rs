@@ -33,6 +33,7 @@ mod places;
 mod planner;
 pub mod plans;
 pub mod plots;
+pub mod polygons;
 mod probe;
 mod reduction;
 pub mod regime;

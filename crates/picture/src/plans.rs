@@ -4,15 +4,12 @@ use assur_diagram::{PlanVector, VectorPlan, construction_picture};
 use assur_figure::{Bounds, Figure, Frame, Ink, Item, Key, Panel, Scale, Sign, Stroke, one_scale};
 use assur_force::{Construction, ConstructionStep, Drawing, VectorKind};
 use assur_group::plane::cross;
-use assur_mechanism::LinkId;
 use assur_words::{Describe, Text, joined, measured, name, number, text};
 
-use crate::{Found, Look, Plans, Results, ViewPart, arrows, mechanism, plots};
+use crate::{Found, Look, Plans, Results, ViewPart, mechanism, plots};
 
 /// A vector smaller than this part of the greatest counts as zero.
 const LEAST: f64 = 1e-12;
-/// Two vectors that differ by no more than this part are one.
-const SAME: f64 = 1e-9;
 /// How far beyond the mechanism a construction is drawn, as part of its size.
 const FAR: f64 = 1.5;
 /// A vector shorter than this part of a construction is not named in it.
@@ -93,26 +90,60 @@ pub fn figure(results: &Results, look: &Look<'_>, part: ViewPart) -> Figure {
     }
 }
 
-/// Zhukovsky's lever of a position, from the first construction that has one.
+/// Zhukovsky's lever of a position, from the first construction that has one; what its forces are, [`on_lever`] says.
 pub fn lever(results: &Results, look: &Look<'_>) -> Figure {
     let Some(found) = &results.found else { return Figure::default() };
     let plans = found.plans.at(look.position);
-    let last = plans.constructions.iter().enumerate().find_map(|(index, (_, drawn))| {
+    let Some(step) = last_of_lever(&plans) else { return Figure::default() };
+    let mut drawn = figure(results, &Look { step, ..*look }, ViewPart::Construction);
+    // What is zero has no arrow, and no name.
+    let steps =
+        chosen_step(&plans, step).map_or(&[][..], |(construction, last)| &construction.steps[..=last]);
+    let is_zero = |text: &Text| {
+        let mut own = steps.iter().filter(|step| step.name == *text).peekable();
+        own.peek().is_some() && own.all(|step| step.unit == "N" && length([[0.0; 2], step.vector]) == 0.0)
+    };
+    for panel in &mut drawn.panels {
+        panel.items.retain(|item| !matches!(item, Item::Name { text, .. } if is_zero(text)));
+    }
+    Figure { legend: Vec::new(), ..drawn }
+}
+
+/// The number of the step that completes the first lever.
+fn last_of_lever(plans: &Plans) -> Option<usize> {
+    plans.constructions.iter().enumerate().find_map(|(index, (_, drawn))| {
         let last = drawn.steps.iter().rposition(|step| step.drawing == Drawing::Lever)?;
         Some(plans.steps_of(index).start + last)
-    });
-    let Some(step) = last else { return Figure::default() };
-    let drawn = figure(results, &Look { step, ..*look }, ViewPart::Construction);
-    let Some((construction, last)) = chosen_step(&plans, step) else { return drawn };
-    // The velocities are named by their points; what the forces are, `acting` says.
-    let unit = construction.steps.iter().find(|step| step.kind == VectorKind::Absolute).map(|step| step.unit);
+    })
+}
+
+/// A force on Zhukovsky's lever.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LeverForce {
+    /// Its symbol in the drawing.
+    pub symbol: Text,
+    /// Its size, N.
+    pub size: f64,
+    /// Its arm about the pole, and the unit of the lever.
+    pub arm: (f64, &'static str),
+}
+
+/// The forces on the lever of a position that are not zero.
+pub fn on_lever(results: &Results, position: usize) -> Vec<LeverForce> {
+    let Some(found) = &results.found else { return Vec::new() };
+    let plans = found.plans.at(position);
+    let chosen = last_of_lever(&plans).and_then(|step| chosen_step(&plans, step));
+    let Some((construction, last)) = chosen else { return Vec::new() };
+    let image = construction.steps.iter().find(|step| step.kind == VectorKind::Absolute);
+    let unit = image.map_or("m", |step| step.unit);
     let forces =
         construction.steps[..=last].iter().filter(|step| step.unit == "N" && step.drawing == Drawing::Lever);
-    let brief = |step: &ConstructionStep| {
-        key_of_step(&ConstructionStep { of: Text::default(), ..step.clone() }, unit)
+    let force = |step: &ConstructionStep| {
+        let size = length([[0.0; 2], step.vector]);
+        let is_force = size > 0.0 && !matches!(step.kind, VectorKind::Line | VectorKind::Point);
+        is_force.then(|| LeverForce { symbol: step.name.clone(), size, arm: (arm_of(step), unit) })
     };
-    let legend = plots::limited(forces.filter_map(brief).collect());
-    Figure { legend, ..drawn }
+    forces.filter_map(force).collect()
 }
 
 /// What the labels of a plan stand for, with the sizes.
@@ -120,10 +151,10 @@ fn keys(part: ViewPart, plan: &VectorPlan) -> Vec<Key> {
     let key = |(label, item): (String, &PlanVector)| {
         let size = measured(item.size, 5, item.unit.clone());
         let (ink, label, none) = (ink_of(part, item), name(label), Text::default());
-        // An absolute vector is called by its point already, a relative one by its name alone.
+        // A vector of the motion is called by its symbol alone.
         let names = match item.kind {
-            VectorKind::Absolute => [&label, &none],
-            _ if ink == Ink::Trace => [&none, &item.name],
+            VectorKind::Absolute => [&none, &item.symbol],
+            _ if ink == Ink::Trace => [&none, &item.symbol],
             _ => [&label, &item.name],
         };
         let stroke = if ink == Ink::Trace { Stroke::Dotted } else { Stroke::Solid };
@@ -144,94 +175,12 @@ pub fn labelled(part: ViewPart, plan: &VectorPlan) -> Vec<(String, &PlanVector)>
     drawn.map(|(number, item)| (label(part, item, number), item)).collect()
 }
 
-/// The polygon of some links in a position, whose vectors have the symbols that they have on the links, where forces and moments from
-/// outside act on these; a part of a force, and the reaction within a group, has the name of the plan. What a symbol stands for,
-/// [`acting`](crate::assembly::acting) says.
-pub fn polygon(results: &Results, position: usize, polygon: usize, links: &[LinkId]) -> Figure {
-    let Some(found) = &results.found else { return Figure::default() };
-    let plans = found.plans.at(position);
-    let look = Look { position, polygon, ..Look::default() };
-    let Shown::Plan(plan) = shown(found, &look, ViewPart::Forces, &plans) else { return Figure::default() };
-    let acting = arrows::Shown::on_links(results, position, links);
-    let acting = acting.as_ref().map_or(&[][..], arrows::Shown::all);
-    let named = named(results, plan, acting);
-    let key = |(symbol, item): &(Text, &PlanVector)| {
-        let size = measured(item.size, 5, item.unit.clone());
-        let is_part = same(acting, item).is_some_and(|own| own.told.is_empty());
-        let told = if is_part { item.name.clone() } else { Text::default() };
-        let ink = ink_of(ViewPart::Forces, item);
-        let stroke = if ink == Ink::Trace { Stroke::Dotted } else { Stroke::Solid };
-        plots::key([symbol, &told], size, None, (stroke, ink))
-    };
-    let mut legend: Vec<Key> = named.iter().map(key).collect();
-    let moments = acting.iter().filter(|own| own.kind == arrows::Kind::Moment);
-    legend.extend(moments.map(|own| {
-        let size = measured(own.vector[0], 5, "N m");
-        plots::key([&own.name, &Text::default()], size, None, own.style)
-    }));
-    let panel = panel_of(ViewPart::Forces, plan, &named);
-    Figure { title: plan.title.clone(), legend: plots::limited(legend), ..Figure::of(panel) }
-}
-
-/// The links of each polygon: those of the groups from the last to the first, then the input links.
-pub fn bodies(results: &Results) -> Vec<Vec<LinkId>> {
-    let (mechanism, structure) = (&results.linkage.mechanism, &results.linkage.structure);
-    let groups = structure.groups.iter().rev().map(|group| group.frame.links.clone());
-    groups.chain(mechanism.input.placed().map(|input| vec![input])).collect()
-}
-
-/// The vectors of the polygon of some links, with the symbols of [`polygon`].
-pub fn vectors(
-    results: &Results,
-    position: usize,
-    polygon: usize,
-    links: &[LinkId],
-) -> Vec<(Text, PlanVector)> {
-    let Some(found) = &results.found else { return Vec::new() };
-    let plans = found.plans.at(position);
-    let look = Look { position, polygon, ..Look::default() };
-    let Shown::Plan(plan) = shown(found, &look, ViewPart::Forces, &plans) else { return Vec::new() };
-    let acting = arrows::Shown::on_links(results, position, links);
-    let acting = acting.as_ref().map_or(&[][..], arrows::Shown::all);
-    named(results, plan, acting).into_iter().map(|(symbol, item)| (symbol, item.clone())).collect()
-}
-
-/// The vectors of a plan of forces with their symbols.
-fn named<'a>(
-    results: &Results,
-    plan: &'a VectorPlan,
-    acting: &[arrows::Arrow],
-) -> Vec<(Text, &'a PlanVector)> {
-    let symbol =
-        |item| same(acting, item).map_or_else(|| inner_symbol(results, item), |own| own.name.clone());
-    let all = labelled(ViewPart::Forces, plan);
-    all.into_iter().map(|(_, item)| (symbol(item), item)).collect()
-}
-
-/// The force on the links that a vector of their polygon is.
-fn same<'a>(acting: &'a [arrows::Arrow], item: &PlanVector) -> Option<&'a arrows::Arrow> {
-    let vector = [item.end[0] - item.start[0], item.end[1] - item.start[1]];
-    let apart = |own: &&arrows::Arrow| length([own.vector, vector]) <= SAME * item.size;
-    let is_outer = item.kind != VectorKind::Inner;
-    let forces = acting.iter().filter(|own| is_outer && own.kind == arrows::Kind::Force);
-    forces.filter(apart).min_by_key(|own| own.told != item.name)
-}
-
-/// The symbol of a reaction within a group; what is none keeps its name.
-fn inner_symbol(results: &Results, item: &PlanVector) -> Text {
-    let mechanism = &results.linkage.mechanism;
-    let names = mechanism.slides.iter().map(|slide| &slide.name);
-    let mut names = names.chain(mechanism.points.iter().map(|point| &point.name));
-    let found = names.find(|pair| item.name == joined("", [name("R("), (*pair).into(), name(")")]));
-    found.map_or_else(|| item.name.clone(), |pair| joined("", [name("R_{"), pair.into(), name("}")]))
-}
-
 pub(crate) fn panel_of_plan(part: ViewPart, plan: &VectorPlan) -> Panel {
     let shown: Vec<_> = labelled(part, plan).into_iter().map(|(label, item)| (name(label), item)).collect();
     panel_of(part, plan, &shown)
 }
 
-fn panel_of(part: ViewPart, plan: &VectorPlan, shown: &[(Text, &PlanVector)]) -> Panel {
+pub(crate) fn panel_of(part: ViewPart, plan: &VectorPlan, shown: &[(Text, &PlanVector)]) -> Panel {
     let vectors = shown.iter().map(|(label, item)| {
         let ink = ink_of(part, item);
         let name = if ink == Ink::Trace { Text::default() } else { label.clone() };
@@ -248,7 +197,7 @@ fn panel_of(part: ViewPart, plan: &VectorPlan, shown: &[(Text, &PlanVector)]) ->
     let components = components.filter(|item| pole.is_some() && ink_of(part, item) == Ink::Trace);
     panel.items.extend(components.map(|item| Item::Name {
         at: [0, 1].map(|axis| 0.5 * (item.start[axis] + item.end[axis])),
-        text: item.name.clone(),
+        text: item.symbol.clone(),
         ink: Ink::Dim,
         needed: false,
     }));
@@ -357,16 +306,18 @@ fn key_of_step(step: &ConstructionStep, arm_in: Option<&'static str>) -> Option<
     if matches!(step.kind, VectorKind::Line | VectorKind::Point) || size == 0.0 {
         return None;
     }
-    let arm = arm_in.filter(|_| step.unit == "N").map(|unit| {
-        let arm = cross(step.start, step.vector).abs() / size;
-        let is_rounding = arm <= LEAST * length([[0.0; 2], step.start]);
-        let arm = if is_rounding { 0.0 } else { arm };
-        joined(" = ", [name("h"), measured(arm, 5, unit)])
-    });
+    let arm = arm_in.filter(|_| step.unit == "N");
+    let arm = arm.map(|unit| joined(" = ", [name("h"), measured(arm_of(step), 5, unit)]));
     let size = measured(size, 5, step.unit);
     Some(plots::key([&step.name, &step.of], size, arm, (Stroke::Solid, ink(step.kind))))
 }
 
-fn length([from, to]: [[f64; 2]; 2]) -> f64 {
+/// The arm of a force about the origin, where it is not only rounding.
+fn arm_of(step: &ConstructionStep) -> f64 {
+    let arm = cross(step.start, step.vector).abs() / length([[0.0; 2], step.vector]);
+    if arm <= LEAST * length([[0.0; 2], step.start]) { 0.0 } else { arm }
+}
+
+pub(crate) fn length([from, to]: [[f64; 2]; 2]) -> f64 {
     (to[0] - from[0]).hypot(to[1] - from[1])
 }

@@ -4,7 +4,7 @@
 use assur_analysis::results::{
     Column, Dynamics, EnergyMass, Owner, Quantity, RegimeOverCycle, RegimeState, Table, Trial,
 };
-use assur_book::{Course, Jump, Unit};
+use assur_book::{Course, Jump, Unit, catalogue};
 use assur_figure::number::plain;
 use assur_figure::{
     Axis, AxisKind, Bounds, Figure, Frame, Ink, Item, Key, Panel, Point, Sample, Sign, Stroke,
@@ -39,6 +39,17 @@ pub fn drive(results: &Results, look: &Look<'_>, part: ViewPart, columns: usize)
         }
     };
     Figure { title: text!("drive-title"), panels, columns, legend: Vec::new() }
+}
+
+/// The shares of the reduced inertia as paper has them: their names stand in the legend.
+pub fn shares_on_paper(results: &Results, look: &Look<'_>) -> Figure {
+    let mut figure = drive(results, look, ViewPart::Inertia, 1);
+    let [inertia, _] = Unit::inertias(results.linkage.kind());
+    let told = catalogue::kind(Column::of(Quantity::ReducedInertia, Owner::Input));
+    for panel in &mut figure.panels {
+        panel.title = plots::titled(told.clone(), inertia);
+    }
+    figure
 }
 
 /// A quantity of the regime over the cycle; where `read` gives none, the course has none.

@@ -42,7 +42,8 @@ sheet-links = { $count ->
    *[other] links
 } { $links }
 sheet-polygon = Force polygon of { $of }: { $place }
-sheet-symbols = Symbols
+sheet-symbols = Forces and moments
+sheet-lever-forces = Forces on Zhukovsky's lever and their arms
 sheet-letter-of-study = S
 sheet-field-mechanism = mechanism
 sheet-field-diagrams = diagrams

@@ -36,13 +36,14 @@ sheet-mass = Масса
 sheet-scale = Масштаб
 sheet-loaded = Нагрузки и реакции, { $of }: { $place }
 sheet-position = положение { $position }
-sheet-instant = момент { $instant }, { $time }
+sheet-instant = момент { $instant } ({ $time })
 sheet-links = { $count ->
     [one] звено
    *[other] звенья
 } { $links }
 sheet-polygon = План сил, { $of }: { $place }
-sheet-symbols = Обозначения сил и моментов
+sheet-symbols = Силы и моменты
+sheet-lever-forces = Силы на рычаге Жуковского и их плечи
 sheet-letter-of-study = У
 sheet-field-mechanism = механизм
 sheet-field-diagrams = диаграммы

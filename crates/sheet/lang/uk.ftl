@@ -36,13 +36,14 @@ sheet-mass = Маса
 sheet-scale = Масштаб
 sheet-loaded = Навантаження й реакції, { $of }: { $place }
 sheet-position = положення { $position }
-sheet-instant = момент { $instant }, { $time }
+sheet-instant = момент { $instant } ({ $time })
 sheet-links = { $count ->
     [one] ланка
    *[other] ланки
 } { $links }
 sheet-polygon = План сил, { $of }: { $place }
-sheet-symbols = Позначення сил і моментів
+sheet-symbols = Сили й моменти
+sheet-lever-forces = Сили на важелі Жуковського та їхні плечі
 sheet-letter-of-study = Н
 sheet-field-mechanism = механізм
 sheet-field-diagrams = діаграми

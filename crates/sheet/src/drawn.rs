@@ -2,7 +2,6 @@
 
 use assur_figure::{
     Anchor, Element, Figure, Frame, Ink, Page, Panel, Style, elements, heading_width, plane_scale, size,
-    text_width,
 };
 use assur_pdf::text_width as exact_width;
 use assur_scene::SheetField;
@@ -37,12 +36,18 @@ pub(crate) struct Drawn {
 #[derive(Debug)]
 pub(crate) enum Content {
     Figure(Figure),
-    /// A heading, and rows of what is told and its value; whether values stand at the right.
-    Table {
-        title: String,
-        rows: Vec<[String; 2]>,
-        right: bool,
-    },
+    Table(Table),
+}
+
+/// A table with its heading.
+#[derive(Debug, Default)]
+pub(crate) struct Table {
+    pub(crate) title: String,
+    /// The names of the columns; none, where they need no names.
+    pub(crate) head: Vec<String>,
+    pub(crate) rows: Vec<Vec<String>>,
+    /// How many columns have words, at the left; the others have numbers, at the right.
+    pub(crate) words: usize,
 }
 
 /// A size in which a field can be drawn, mm, and on which page it has this size; a table has none.
@@ -56,15 +61,13 @@ impl Drawn {
     /// The sizes in which it can be drawn, from the least.
     pub(crate) fn sizes(&self, language: &Language) -> Vec<Size> {
         let figure = match &self.content {
-            Content::Table { title, rows, .. } => {
-                return vec![Size { size: table_size(title, rows), page: None }];
-            }
+            Content::Table(table) => return vec![Size { size: table.size(), page: None }],
             Content::Figure(figure) => figure,
         };
         let mut sizes: Vec<Size> = Vec::new();
         let heading = |panel: &Panel| heading_width(panel, Style::SHEET, language);
-        let headings = figure.panels.iter().map(heading).fold(LEAST, f64::max);
-        let mut width = self.least.max(headings);
+        let headings = figure.panels.iter().map(heading).fold(0.0, f64::max) * figure.columns.max(1) as f64;
+        let mut width = self.least.max(headings).max(LEAST);
         while width <= MOST {
             for page in pages(figure, width) {
                 let own = Size { size: room(figure, page, language), page: Some(page) };
@@ -92,7 +95,7 @@ impl Drawn {
                 let left = sides(&all, 0.0)[0];
                 all.into_iter().map(|element| element.moved([-left, 0.0])).collect()
             }
-            (Content::Table { title, rows, right }, _) => table(title, rows, *right, size.size),
+            (Content::Table(table), _) => table.elements(size.size),
             (Content::Figure(_), None) => Vec::new(),
         }
     }
@@ -132,40 +135,59 @@ fn pages(figure: &Figure, width: f64) -> Vec<Page> {
     FLAT.map(high).into()
 }
 
-fn columns(rows: &[[String; 2]]) -> [f64; 2] {
-    let widest = |column: usize| {
-        rows.iter().map(|row| exact_width(&row[column], Style::SHEET.em)).fold(0.0, f64::max) + 2.0 * BESIDE
-    };
-    [widest(0), widest(1)]
-}
-
-fn table_size(title: &str, rows: &[[String; 2]]) -> [f64; 2] {
-    let width = columns(rows).iter().sum::<f64>().max(text_width(title, Style::SHEET.em));
-    [width, ROW * (rows.len() + 1) as f64]
-}
-
-fn table(title: &str, rows: &[[String; 2]], right: bool, [width, height]: [f64; 2]) -> Vec<Element> {
-    let style = Style::SHEET;
-    let base = |row: usize| ROW * (row + 1) as f64 - 0.5 * (ROW - 0.73 * style.em);
-    let text = |at, words: &str, anchor| Element::text(at, words, style.em, anchor, Ink::Text);
-    let mut all = vec![text([0.0, base(0)], title, Anchor::Start)];
-    let middle = width - columns(rows)[1];
-    for (row, [told, value]) in rows.iter().enumerate() {
-        all.push(text([BESIDE, base(row + 1)], told, Anchor::Start));
-        let (x, anchor) =
-            if right { (width - BESIDE, Anchor::End) } else { (middle + BESIDE, Anchor::Start) };
-        all.push(text([x, base(row + 1)], value, anchor));
-        let under = ROW * (row + 1) as f64;
-        all.push(Element::line(
-            [[0.0, under], [width, under]],
-            if row == 0 { style.line } else { style.fine },
-            Ink::Text,
-        ));
+impl Table {
+    /// Its rows with its head.
+    fn all(&self) -> impl Iterator<Item = &Vec<String>> {
+        std::iter::once(&self.head).filter(|head| !head.is_empty()).chain(&self.rows)
     }
-    let sides = [0.0, middle, width].map(|x| Element::line([[x, ROW], [x, height]], style.line, Ink::Text));
-    all.extend(sides);
-    all.push(Element::line([[0.0, height], [width, height]], style.line, Ink::Text));
-    all
+
+    /// Widths of the columns, mm.
+    fn columns(&self) -> Vec<f64> {
+        let count = self.all().map(Vec::len).max().unwrap_or(0);
+        let widest = |column: usize| {
+            let cells = self.all().filter_map(|row| row.get(column));
+            cells.map(|cell| exact_width(cell, Style::SHEET.em)).fold(0.0, f64::max) + 2.0 * BESIDE
+        };
+        (0..count).map(widest).collect()
+    }
+
+    fn size(&self) -> [f64; 2] {
+        let width = self.columns().iter().sum::<f64>().max(exact_width(&self.title, Style::SHEET.em));
+        [width, ROW * (self.all().count() + 1) as f64]
+    }
+
+    fn elements(&self, [width, height]: [f64; 2]) -> Vec<Element> {
+        let style = Style::SHEET;
+        let base = |row: usize| ROW * (row + 1) as f64 - 0.5 * (ROW - 0.73 * style.em);
+        let text = |at, words: &str, anchor| Element::text(at, words, style.em, anchor, Ink::Text);
+        let rule = |ends: [[f64; 2]; 2], width| Element::line(ends, width, Ink::Text);
+        let mut all = vec![text([0.0, base(0)], &self.title, Anchor::Start)];
+        let mut ends = vec![0.0];
+        ends.extend(self.columns().iter().scan(0.0, |end, own| {
+            *end += own;
+            Some(*end)
+        }));
+        // What a long heading leaves is room of the last column.
+        ends.last_mut().into_iter().for_each(|end| *end = width);
+        let heads = usize::from(!self.head.is_empty());
+        for (row, cells) in self.all().enumerate() {
+            for (column, cell) in cells.iter().enumerate() {
+                let (left, right) = (ends[column], ends[column + 1]);
+                let (x, anchor) = match column {
+                    _ if row < heads => (0.5 * (left + right), Anchor::Middle),
+                    _ if column < self.words => (left + BESIDE, Anchor::Start),
+                    _ => (right - BESIDE, Anchor::End),
+                };
+                all.push(text([x, base(row + 1)], cell, anchor));
+            }
+            let above = ROW * (row + 1) as f64;
+            let is_strong = row <= heads;
+            all.push(rule([[0.0, above], [width, above]], if is_strong { style.line } else { style.fine }));
+        }
+        all.extend(ends.iter().map(|x| rule([[*x, ROW], [*x, height]], style.line)));
+        all.push(rule([[0.0, height], [width, height]], style.line));
+        all
+    }
 }
 
 /// A figure of one panel with this heading.

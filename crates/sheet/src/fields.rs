@@ -1,11 +1,9 @@
 //! The fields of a sheet: pictures of the results.
 
-use assur_book::Fact;
 use assur_figure::{Figure, Item, Panel};
 use assur_mechanism::LinkId;
 use assur_picture::paper::on_paper;
-use assur_picture::{Found, Look, Results, ViewPart, assembly, curves, motion, plans, regime};
-use assur_report::topic;
+use assur_picture::{Found, Look, Results, ViewPart, assembly, curves, motion, plans, polygons, regime};
 use assur_scene::{Note, SheetField, SheetPositions};
 use assur_words::{Language, Text, joined, list, number, text};
 
@@ -28,8 +26,8 @@ pub(crate) struct Source<'a> {
 const MECHANISM: (f64, f64) = (140.0, 4.0);
 const PLOTS: (f64, f64) = (100.0, 2.5);
 const PLAN: (f64, f64) = (75.0, 1.0);
-const LEVER: (f64, f64) = (100.0, 2.0);
-const STRUCTURE: (f64, f64) = (110.0, 2.0);
+const LEVER: (f64, f64) = (100.0, 1.5);
+const STRUCTURE: (f64, f64) = (110.0, 1.2);
 
 impl Source<'_> {
     /// The blocks of all fields that are wanted, in their order.
@@ -53,15 +51,9 @@ impl Source<'_> {
                 self.of_positions(field, "sheet-accelerations", ViewPart::Accelerations)
             }
             SheetField::Forces => self.forces(),
-            SheetField::Lever => {
-                let lever = |position: &usize| {
-                    let figure = plans::lever(results, &look(*position));
-                    titled_first(figure, self.at("sheet-lever", *position))
-                };
-                Self::figures(field, LEVER, self.plans.iter().map(lever).collect::<Vec<_>>())
-            }
+            SheetField::Lever => self.lever(),
             SheetField::Dynamics => self.dynamics(&first),
-            SheetField::Results => vec![self.table()],
+            SheetField::Results => vec![self.table_of_results()],
         }
     }
 
@@ -70,7 +62,7 @@ impl Source<'_> {
     }
 
     /// Where a position is, without its coordinate: the numbers of positions stand at the mechanism.
-    fn place(&self, position: usize) -> Text {
+    pub(crate) fn place(&self, position: usize) -> Text {
         match self.results.time(position) {
             Some(time) => text!("sheet-instant", instant = number(position), time),
             None => text!("sheet-position", position = number(position)),
@@ -115,7 +107,7 @@ impl Source<'_> {
 
     /// Of each position the groups with what acts on them and their polygons, from the last to the first, the input link as the last.
     fn forces(&self) -> Vec<Drawn> {
-        let (mechanism, bodies) = (&self.results.linkage.mechanism, plans::bodies(self.results));
+        let (mechanism, bodies) = (&self.results.linkage.mechanism, polygons::bodies(self.results));
         let named = |links: &[LinkId]| {
             let names = list(links.iter().map(|link| Text::from(&mechanism.links[*link].name)));
             text!("sheet-links", count = links.len(), links = names)
@@ -125,7 +117,7 @@ impl Source<'_> {
             let plans = self.found.plans.at(position);
             let Ok(sheet) = &plans.sheet else { continue };
             for (polygon, links) in bodies.iter().enumerate().take(sheet.polygons.len()) {
-                let drawn = plans::polygon(self.results, position, polygon, links);
+                let drawn = polygons::polygon(self.results, position, polygon, links);
                 if drawn.panels.is_empty() {
                     continue;
                 }
@@ -136,35 +128,18 @@ impl Source<'_> {
             }
         }
         let all = Self::figures(SheetField::Forces, PLAN, all);
-        let symbols = self.symbols(&bodies).filter(|_| !all.is_empty());
-        symbols.into_iter().chain(all).collect()
+        let table = self.table_of_forces(&bodies).filter(|_| !all.is_empty());
+        table.into_iter().chain(all).collect()
     }
 
-    /// What the symbols of loads and reactions stand for, once for all positions.
-    fn symbols(&self, bodies: &[Vec<LinkId>]) -> Option<Drawn> {
-        let mut all: Vec<[Text; 2]> = Vec::new();
-        let links = bodies.iter().rev();
-        for own in links.flat_map(|links| assembly::acting(self.results, self.plans[0], links)) {
-            if all.iter().all(|[symbol, _]| *symbol != own[0]) {
-                all.push(own);
-            }
-        }
-        let rows =
-            all.iter().map(|[symbol, told]| [symbol.render(self.numbered), told.render(self.language)]);
-        let title = text!("sheet-symbols").render(self.language);
-        (!all.is_empty()).then(|| Self::table_of(SheetField::Forces, title, rows.collect()))
-    }
-
-    fn table_of(field: SheetField, title: String, rows: Vec<[String; 2]>) -> Drawn {
-        // Numbers stand at the right, words at the left.
-        let right = field == SheetField::Results;
-        Drawn {
-            field,
-            content: Content::Table { title, rows, right },
-            weight: 1.0,
-            least: 0.0,
-            has_numbers: true,
-        }
+    /// Zhukovsky's lever of each position, and its forces with their arms.
+    fn lever(&self) -> Vec<Drawn> {
+        let lever = |position: &usize| {
+            let figure = plans::lever(self.results, &look(*position));
+            titled_first(figure, self.at("sheet-lever", *position))
+        };
+        let drawn = Self::figures(SheetField::Lever, LEVER, self.plans.iter().map(lever).collect::<Vec<_>>());
+        drawn.into_iter().chain(self.table_of_lever()).collect()
     }
 
     fn dynamics(&self, look: &Look<'_>) -> Vec<Drawn> {
@@ -180,21 +155,10 @@ impl Source<'_> {
         let mut characteristic = drive(ViewPart::Curves);
         characteristic.panels.pop();
         let course = motion::figure(results, look, ViewPart::Course, usize::MAX);
-        let mut drawn = Self::figures(field, PLOTS, [course, drive(ViewPart::Inertia), characteristic]);
+        let mut drawn =
+            Self::figures(field, PLOTS, [course, regime::shares_on_paper(results, look), characteristic]);
         drawn.extend(Self::figures(field, PLOTS, [drive(ViewPart::EnergyMass)]));
         drawn
-    }
-
-    /// The results that are asked for first.
-    fn table(&self) -> Drawn {
-        /// Rows that a sheet has.
-        const MOST: usize = 24;
-        let facts = topic::summary(&self.found.analysis, &self.results.linkage);
-        let line = |text: &Text, language: &Language| text.render(language).replace('`', "");
-        // The formula of the structure has the numbers of the links.
-        let row = |fact: &Fact| [line(&fact.what(), self.language), line(&fact.with_unit(), self.numbered)];
-        let rows = facts.iter().map(row).take(MOST).collect();
-        Self::table_of(SheetField::Results, text!("sheet-results").render(self.language), rows)
     }
 }
 

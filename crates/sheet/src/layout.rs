@@ -59,7 +59,9 @@ fn grown(blocks: &[Block], frame: Area, title: Area, way: Way) -> Option<Vec<Pla
     let mut best = places(blocks, &levels, frame, title, way)?;
     let mut open = vec![true; blocks.len()];
     let size = |levels: &[usize], at: usize| -> f64 {
-        blocks[at].sizes[levels[at]].iter().product::<f64>() / blocks[at].weight
+        // What is long and flat is large, though its area is small.
+        let [width, height] = blocks[at].sizes[levels[at]];
+        0.5 * (width * height + width.max(height).powi(2)) / blocks[at].weight
     };
     let mut has_grown = false;
     loop {

@@ -8,6 +8,7 @@ mod fields;
 mod format;
 mod layout;
 pub mod preview;
+mod tables;
 mod title;
 
 use assur_figure::{Element, Form as Outline, Ink, dxf, svg};

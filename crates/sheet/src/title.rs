@@ -25,6 +25,13 @@ pub(crate) struct Filling<'a> {
     pub(crate) scale: Option<f64>,
 }
 
+impl Filling<'_> {
+    /// A field of the note; empty where it is left out.
+    fn of(&self, text: Option<&Text>) -> String {
+        text.map(|text| text.render(self.language)).unwrap_or_default()
+    }
+}
+
 /// The edge of the sheet, its frame and the title block.
 pub(crate) fn elements(standard: Standard, [width, height]: [f64; 2], filling: &Filling<'_>) -> Vec<Element> {
     let frame = standard.frame([width, height]);
@@ -135,7 +142,7 @@ fn wrapped(words: &str, width: f64, size: f64) -> Vec<String> {
 
 fn iso(block: &mut Block, filling: &Filling<'_>) {
     let (note, language) = (filling.note, filling.language);
-    let of = |text: &Option<Text>| text.as_ref().map(|text| text.render(language)).unwrap_or_default();
+    let of = |text: &Option<Text>| filling.of(text.as_ref());
     let [sheet, sheets] = filling.sheet;
     let rows = [
         ([0.0, 0.0, 45.0, 9.0], text!("sheet-department"), of(&note.department)),
@@ -159,11 +166,16 @@ fn iso(block: &mut Block, filling: &Filling<'_>) {
 
 /// ГОСТ 2.104, form 1: 185 x 55 mm.
 fn gost(block: &mut Block, filling: &Filling<'_>) {
-    let (note, language) = (filling.note, filling.language);
+    gost_changes(block, filling);
+    gost_signatures(block, filling);
+    gost_rules(block);
+    gost_names(block, filling);
+    gost_numbers(block, filling);
+}
+
+/// The table of changes at the left: its rules, and its heads below it.
+fn gost_changes(block: &mut Block, filling: &Filling<'_>) {
     let (thick, fine) = (Style::SHEET.thick, Style::SHEET.fine);
-    let of = |text: &Option<Text>| text.as_ref().map(|text| text.render(language)).unwrap_or_default();
-    let told = |text: Text| text.render(language);
-    // Changes and signatures at the left.
     for row in 1..11 {
         let y = 5.0 * f64::from(row);
         block.line(&[[0.0, y], [65.0, y]], if row == 4 || row == 5 { thick } else { fine });
@@ -180,11 +192,15 @@ fn gost(block: &mut Block, filling: &Filling<'_>) {
         ([55.0, 20.0, 65.0, 25.0], text!("sheet-date")),
     ];
     for (area, head) in heads {
-        block.cell(area, &told(head), SMALL, Anchor::Middle);
+        block.cell(area, &head.render(filling.language), SMALL, Anchor::Middle);
     }
+}
+
+/// Who made the drawing and who checks it, below the changes.
+fn gost_signatures(block: &mut Block, filling: &Filling<'_>) {
     let signed = [
-        (text!("sheet-made"), of(&note.author)),
-        (text!("sheet-checked"), of(&note.supervisor)),
+        (text!("sheet-made"), filling.of(filling.note.author.as_ref())),
+        (text!("sheet-checked"), filling.of(filling.note.supervisor.as_ref())),
         (text!("sheet-technical-control"), String::new()),
         (Text::default(), String::new()),
         (text!("sheet-norm-control"), String::new()),
@@ -192,10 +208,14 @@ fn gost(block: &mut Block, filling: &Filling<'_>) {
     ];
     for (row, (what, who)) in signed.into_iter().enumerate() {
         let (top, bottom) = (25.0 + 5.0 * row as f64, 30.0 + 5.0 * row as f64);
-        block.cell([0.0, top, 17.0, bottom], &told(what), SMALL, Anchor::Start);
+        block.cell([0.0, top, 17.0, bottom], &what.render(filling.language), SMALL, Anchor::Start);
         block.cell([17.0, top, 40.0, bottom], &who, SMALL, Anchor::Start);
     }
-    // Designation, title, material; what the drawing is of; the organization.
+}
+
+/// The rules of the middle and the right part.
+fn gost_rules(block: &mut Block) {
+    let (thick, fine) = (Style::SHEET.thick, Style::SHEET.fine);
     block.line(&[[65.0, 15.0], [185.0, 15.0]], thick);
     block.line(&[[65.0, 40.0], [185.0, 40.0]], thick);
     block.line(&[[135.0, 15.0], [135.0, 55.0]], thick);
@@ -209,10 +229,27 @@ fn gost(block: &mut Block, filling: &Filling<'_>) {
         block.line(&[[x, 20.0], [x, 35.0]], fine);
     }
     block.line(&[[155.0, 35.0], [155.0, 40.0]], thick);
-    let large = Style::SHEET.em;
-    block.cell([65.0, 0.0, 185.0, 15.0], &of(&note.sheet.number), 1.4 * large, Anchor::Middle);
+}
+
+/// Designation and title, what the drawing is of, the organization.
+fn gost_names(block: &mut Block, filling: &Filling<'_>) {
+    let (note, language, large) = (filling.note, filling.language, Style::SHEET.em);
+    let drawing = text!("sheet-drawing").render(language);
+    block.cell(
+        [65.0, 0.0, 185.0, 15.0],
+        &filling.of(note.sheet.number.as_ref()),
+        1.4 * large,
+        Anchor::Middle,
+    );
     block.cell([65.0, 15.0, 135.0, 40.0], filling.title, large, Anchor::Middle);
-    block.cell([65.0, 40.0, 135.0, 55.0], &told(text!("sheet-drawing")), large, Anchor::Middle);
+    block.cell([65.0, 40.0, 135.0, 55.0], &drawing, large, Anchor::Middle);
+    block.cell([135.0, 40.0, 185.0, 55.0], &owner(note, language), large, Anchor::Middle);
+}
+
+/// Letter, mass, scale, and the number of the sheet.
+fn gost_numbers(block: &mut Block, filling: &Filling<'_>) {
+    let (language, large) = (filling.language, Style::SHEET.em);
+    let told = |text: Text| text.render(language);
     let heads = [
         ([135.0, 15.0, 150.0, 20.0], text!("sheet-letter")),
         ([150.0, 15.0, 167.0, 20.0], text!("sheet-mass")),
@@ -231,7 +268,6 @@ fn gost(block: &mut Block, filling: &Filling<'_>) {
     let number = |what: Text, number: usize| format!("{} {number}", told(what));
     block.cell([135.0, 35.0, 155.0, 40.0], &number(text!("sheet-sheet"), sheet), SMALL, Anchor::Start);
     block.cell([155.0, 35.0, 185.0, 40.0], &number(text!("sheet-sheets"), sheets), SMALL, Anchor::Start);
-    block.cell([135.0, 40.0, 185.0, 55.0], &owner(note, language), large, Anchor::Middle);
 }
 
 /// `1:2.5`, `2:1`: a length on the sheet to the true one, where a millimeter stands for so many meters.

@@ -8,7 +8,7 @@ use assur_words::{Text, joined, name, text};
 
 use crate::frame::{Incidence, LeftOut, driven_pairs, frame_of, pair_alone, typical_length};
 use crate::graph::{Block, Graph, Node};
-use crate::{Group, Mobility, NamedPair, Passive, PassivePart, Structure, StructureError, roman};
+use crate::{Group, Mobility, NamedPair, Passive, PassivePart, Structure, StructureError};
 
 impl Structure {
     /// Decomposes a mechanism into Assur groups.
@@ -257,12 +257,10 @@ fn formula(mechanism: &Mechanism, groups: &[Group]) -> Name {
     let input = |driver: &Driver| links("I".to_owned(), [driver.on, driver.link].map(named).to_vec());
     let input = joined(" + ", mechanism.input.drivers.iter().map(input));
     // A link that is driven against a solved one stands among the inputs already.
-    let groups = groups.iter().filter(|group| group.class > 1).map(|group| {
-        let class = roman(group.class);
-        let number = group.plugin.number;
-        let sort = if number > 0 { format!("{class}{number}") } else { format!("{class}/{}", group.order) };
-        links(sort, group.named_links(mechanism).collect())
-    });
+    let groups = groups
+        .iter()
+        .filter(|group| group.class > 1)
+        .map(|group| links(group.sort(), group.named_links(mechanism).collect()));
     joined(" -> ", std::iter::once(input).chain(groups)).into()
 }
 

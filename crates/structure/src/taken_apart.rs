@@ -133,6 +133,12 @@ impl Structure {
 }
 
 impl Group {
+    /// Its class with the number of its kind, `II3`, or with its order, `III/3`, as formulas of structure have it.
+    pub fn sort(&self) -> String {
+        let (class, number) = (roman(self.class), self.plugin.number);
+        if number > 0 { format!("{class}{number}") } else { format!("{class}/{}", self.order) }
+    }
+
     /// Names of the links: `boom`, `barrel+rod`.
     pub fn named_links<'a>(&'a self, mechanism: &'a Mechanism) -> impl Iterator<Item = Text> + 'a {
         let named = |link: LinkId| Text::from(&mechanism.links[link].name);

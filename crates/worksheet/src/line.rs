@@ -13,6 +13,9 @@ pub const RESULT_DIGITS: usize = 6;
 /// Number of digits that always suffices: 17 digits give a double exactly.
 const ALL_DIGITS: usize = 17;
 
+/// A value so close to the middle between two printed numbers, in half units, could be printed as either.
+const TIE: f64 = 1e-6;
+
 /// A value smaller than this fraction of the terms added to get it is rounding, and counts as zero.
 const ROUNDING: f64 = 1e-12;
 
@@ -45,12 +48,20 @@ impl Line {
         let exact = formula.evaluate(None);
         let is_zero = exact.value.abs() <= ROUNDING * exact.size;
         let value = if is_zero { 0.0 } else { exact.value };
-        let (result, half_unit) =
-            if is_zero { zero(exact.size, significant) } else { figure::significant(value, significant) };
-        let printed = result.parse().unwrap_or(value);
+        let shown = |digits: usize| {
+            let (result, half_unit) =
+                if is_zero { zero(exact.size, digits) } else { figure::significant(value, digits) };
+            let printed: f64 = result.parse().unwrap_or(value);
+            (result, half_unit, printed)
+        };
+        let (mut result, mut half_unit, mut printed) = shown(significant);
+        if (value - printed).abs() >= half_unit * (1.0 - TIE) {
+            // Halfway between two numbers, where readers may round either way.
+            (result, half_unit, printed) = shown(significant + 1);
+        }
         let recomputes = |digits: &usize| {
             let found: f64 = formula.evaluate(Some(*digits)).value;
-            (found - printed).abs() <= half_unit * (1.0 - 1e-6)
+            (found - printed).abs() <= half_unit * (1.0 - TIE)
         };
         let digits = (significant..ALL_DIGITS).find(recomputes).unwrap_or(ALL_DIGITS);
         Self { symbol, formula: formula.clone(), value, result, half_unit, unit, digits }

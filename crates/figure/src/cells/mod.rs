@@ -11,7 +11,6 @@ use unicode_width::UnicodeWidthStr;
 
 use crate::bounds::Zoom;
 use crate::model::{Figure, Frame, Ink, Item, Point, Sign, Stroke};
-use crate::svg::lowered;
 use crate::trace::block;
 use labels::{Labels, head};
 use raster::Raster;
@@ -144,10 +143,7 @@ fn draw_marks(marks: &[Item], size: [u16; 2], look: Look) -> (Raster, Labels) {
     (raster, labels)
 }
 
-/// A text without the marks of subscripts, which cells don't have.
-pub fn flat(text: &str) -> String {
-    lowered(text).flat_map(|(part, low)| [part, low]).collect()
-}
+pub use crate::letters::flat;
 
 const HATCH: &str = "╱";
 

@@ -52,7 +52,7 @@ pub(super) fn elements(
         (width, vertical)
     };
     let ticks = upright_ticks(&vertical, free);
-    let plot = Room { left, top, width, height: free };
+    let plot = Room { left, top, width, height: free, scale: 0.0 };
     let place = |at: Point| {
         [plot.left + x.part(at[0]) * plot.width, plot.top + (1.0 - vertical.part(at[1])) * plot.height]
     };

@@ -3,6 +3,7 @@
 use super::Style;
 use super::names::text_width;
 use crate::bounds::Bounds;
+use crate::letters::indexed;
 use crate::model::{Ink, Point, Stroke};
 
 /// One thing on paper.
@@ -48,7 +49,7 @@ pub enum Form {
     Text {
         /// Where it is anchored.
         at: Point,
-        /// Its letters, with subscripts as `_{...}`.
+        /// Its letters, with subscripts as `_{...}` and superscripts as `^{...}`.
         words: String,
         /// Text size, mm.
         size: f64,
@@ -141,10 +142,10 @@ impl Element {
         }
     }
 
-    /// A text of this size, mm.
+    /// A text of this size, mm, in which the numbers of single letters are [subscripts](indexed).
     pub fn text(at: Point, words: &str, size: f64, anchor: Anchor, ink: Ink) -> Self {
         Self {
-            form: Form::Text { at, words: words.to_owned(), size, anchor, narrow: 1.0, seen: None },
+            form: Form::Text { at, words: indexed(words), size, anchor, narrow: 1.0, seen: None },
             ink,
             width: 0.0,
         }

@@ -11,7 +11,7 @@ const NARROW: f64 = 0.36;
 /// Distance of a name from its point, in text sizes.
 const APART: f64 = 0.35;
 
-/// Width of a text, mm: within a tenth for the fonts that are asked for. The marks of subscripts are not seen.
+/// Width of a text, mm: within a tenth for the fonts that are asked for. The marks of subscripts and superscripts are not seen.
 pub fn text_width(text: &str, em: f64) -> f64 {
     let of = |letter: char| match letter {
         'i' | 'j' | 'l' | 't' | 'f' | 'r' | 'I' | ' ' | '.' | ',' | ':' | ';' | '\'' | '|' | '(' | ')'
@@ -19,7 +19,7 @@ pub fn text_width(text: &str, em: f64) -> f64 {
         'm' | 'w' | 'M' | 'W' | 'Ш' | 'Щ' | 'Ж' | 'Ю' => 1.5 * LETTER,
         _ => LETTER,
     };
-    text.chars().filter(|letter| !"_{}".contains(*letter)).map(of).sum::<f64>() * em
+    text.chars().filter(|letter| !"_^{}".contains(*letter)).map(of).sum::<f64>() * em
 }
 
 /// A text in lines of at most this width, divided between its words; none of an empty text.

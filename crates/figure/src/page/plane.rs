@@ -14,6 +14,8 @@ use crate::trace::Paper;
 pub(crate) const MARGIN: f64 = 2.2;
 /// Space behind the words of a scale, in text sizes: those of the next panel don't seem to go on with them.
 const BEHIND: f64 = 2.5;
+/// Rounding of a scale.
+const SAME: f64 = 1e-9;
 /// Greatest length of a scale bar, mm, and height of its ends, in text sizes.
 const BAR: f64 = 20.0;
 const END: f64 = 0.4;
@@ -59,6 +61,33 @@ pub(super) fn shrunk(panel: &Panel, room: Room, print: &Print<'_>) -> Room {
     Room { width, height: (height + around).min(room.height), ..room }
 }
 
+/// The symbol and the unit of a plane that has a round scale.
+pub(super) fn kind(panel: &Panel) -> Option<(&'static str, &str)> {
+    let Frame::Plane { scales, .. } = &panel.frame else { return None };
+    scales.first().map(|own| (own.symbol, own.unit.as_str())).filter(|(symbol, _)| !symbol.is_empty())
+}
+
+/// The greater side of what a panel draws, in its units.
+pub(super) fn largest(panel: &Panel) -> f64 {
+    let Frame::Plane { bounds, .. } = &panel.frame else { return 0.0 };
+    bounds.size().into_iter().fold(0.0, f64::max)
+}
+
+/// The room that a panel needs at a scale; its heading is divided within the width of a room.
+pub(super) fn at_scale(panel: &Panel, room: Room, scale: f64, print: &Print<'_>) -> Room {
+    let Frame::Plane { bounds, scales } = &panel.frame else { return room };
+    let em = print.style.em;
+    let [drawn, high] = bounds.size().map(|side| side / scale + 2.0 * MARGIN * em + BORDER);
+    let of_scale = |own| {
+        let (length, words) = told(own, scale, print.language);
+        length / scale + print.width(&words) + BEHIND * em
+    };
+    let title = (print.width(&plain_text(&panel.title, print.language)) + em).min(room.width);
+    let width = scales.iter().map(of_scale).fold(drawn.max(title), f64::max);
+    let lines = heading(panel, Room { width, ..room }, print).len() + scales.len();
+    Room { width, height: high + print.style.row() * lines as f64, scale, ..room }
+}
+
 /// The scale of a panel in its room.
 pub(super) fn scale_in(panel: &Panel, room: Room, print: &Print<'_>) -> Option<f64> {
     let Frame::Plane { bounds, scales } = &panel.frame else { return None };
@@ -74,7 +103,7 @@ fn fit(bounds: &Bounds, scales: &[Scale], room: Room, lines: usize, print: &Prin
     let [width, height] = bounds.size();
     let free = |length: f64| (length - 2.0 * MARGIN * em - BORDER).max(1.0);
     let least = (width / free(plot.width)).max(height / free(plot.height));
-    (plot, scaled(least, scales))
+    (plot, scaled(least.max((1.0 - SAME) * room.scale), scales))
 }
 
 /// The scale of a plane of which a millimeter is at least so many units.

@@ -25,7 +25,10 @@ fn cut(line: &mut String, fits: impl Fn(&str) -> bool) -> Option<String> {
         let before = &line[..**at];
         before.matches("_{").count() == before.matches('}').count() && !before.ends_with('_')
     };
-    let at = *ends.iter().filter(outside).take_while(|at| fits(&line[..**at])).last()?;
+    let fitting = || ends.iter().filter(outside).take_while(|at| fits(&line[..**at]));
+    // Behind a stroke rather than within a word.
+    let stroke = |at: &&usize| line[..**at].ends_with(['/', '–']);
+    let at = *fitting().filter(stroke).last().or_else(|| fitting().last())?;
     let rest = line[at..].to_owned();
     line.truncate(at);
     Some(rest)

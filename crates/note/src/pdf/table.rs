@@ -16,7 +16,6 @@ const TOGETHER: usize = 3;
 /// Puts a table with its caption below what stands on the page, and another caption where it goes on, on the next page.
 pub(super) fn put(pages: &mut Pages, [caption, again]: [&str; 2], grid: &Grid) {
     let widths = widths(grid);
-    let right: Vec<bool> = grid.right.iter().map(|_| false).collect();
     let head = cells(&grid.head, &widths);
     let rows: Vec<_> = grid.rows.iter().map(|row| cells(row, &widths)).collect();
     let caption = wrapped(caption, WIDTH, SMALL);
@@ -26,7 +25,7 @@ pub(super) fn put(pages: &mut Pages, [caption, again]: [&str; 2], grid: &Grid) {
         pages.line(line, SMALL, 0.0);
     }
     pages.y += APART;
-    row(pages, &head, (&widths, &right));
+    row(pages, &head, &widths, |_| Anchor::Middle);
     for (number, cells) in rows.iter().enumerate() {
         let before = pages.done.len();
         // The last row does not stand alone on a page.
@@ -35,9 +34,9 @@ pub(super) fn put(pages: &mut Pages, [caption, again]: [&str; 2], grid: &Grid) {
         if pages.done.len() > before {
             pages.line(again, SMALL, 0.0);
             pages.y += APART;
-            row(pages, &head, (&widths, &right));
+            row(pages, &head, &widths, |_| Anchor::Middle);
         }
-        row(pages, cells, (&widths, &grid.right));
+        row(pages, cells, &widths, |at| if grid.right[at] { Anchor::End } else { Anchor::Start });
     }
     pages.y += 2.0 * APART;
 }
@@ -46,7 +45,9 @@ pub(super) fn put(pages: &mut Pages, [caption, again]: [&str; 2], grid: &Grid) {
 fn widths(grid: &Grid) -> Vec<f64> {
     let wide = |cell: &String| assur_pdf::text_width(cell, SMALL) + 2.0 * BORDER;
     let column = |at: usize| {
-        let head = grid.head[at].split(' ').map(|word| wide(&word.to_owned())).fold(LEAST, f64::max);
+        // A head has two lines, where its words are not longer.
+        let words = grid.head[at].split(' ').map(|word| wide(&word.to_owned()));
+        let head = words.fold(LEAST.max(0.6 * wide(&grid.head[at])), f64::max);
         grid.rows.iter().filter_map(|row| row.get(at)).map(wide).fold(head, f64::max)
     };
     let mut widths: Vec<f64> = (0..grid.head.len()).map(column).collect();
@@ -73,18 +74,21 @@ fn high(cells: &[Vec<String>]) -> f64 {
     LINE * SMALL * lines as f64 + 0.6
 }
 
-fn row(pages: &mut Pages, cells: &[Vec<String>], (widths, right): (&[f64], &[bool])) {
+fn row(pages: &mut Pages, cells: &[Vec<String>], widths: &[f64], anchor: impl Fn(usize) -> Anchor) {
     let (top, high) = (pages.y, high(cells));
     let page = pages.page();
     let mut x = LEFT;
-    for ((lines, width), right) in cells.iter().zip(widths).zip(right) {
+    for (column, (lines, width)) in cells.iter().zip(widths).enumerate() {
         let corners = [[x, top], [x + width, top], [x + width, top + high], [x, top + high], [x, top]];
         page.push(Element::line(corners, FINE, Ink::Text));
         for (number, line) in lines.iter().enumerate() {
             let y = top + LINE * SMALL * number as f64 + 1.05 * SMALL;
-            let (at, anchor) =
-                if *right { (x + width - BORDER, Anchor::End) } else { (x + BORDER, Anchor::Start) };
-            page.push(Element::text([at, y], line, SMALL, anchor, Ink::Text));
+            let at = match anchor(column) {
+                Anchor::Start => x + BORDER,
+                Anchor::Middle => x + 0.5 * width,
+                Anchor::End => x + width - BORDER,
+            };
+            page.push(Element::text([at, y], line, SMALL, anchor(column), Ink::Text));
         }
         x += width;
     }

@@ -126,6 +126,7 @@ fn sheet_of(vectors: [[f64; 2]; 2]) -> PlanSheet {
     let sheet = calculation.sheet(3).unwrap();
     let item = |(name, end): (&str, [f64; 2])| PlanVector {
         name: assur_words::name(name.to_owned()),
+        symbol: assur_words::name(name.to_owned()),
         image: String::new(),
         kind: VectorKind::Load,
         start: [0.0; 2],

@@ -55,7 +55,7 @@ fn the_lever_is_in_balance_and_tells_the_arms_of_its_forces() {
             };
             // Of many entries the first ones are shown, this one in any case; there it is a force of its own.
             if scene != "rolling-press" {
-                let balance = told("Fb ");
+                let balance = told("F_{bal} ");
                 let size = number_behind(&balance[..balance.find(" N").unwrap()].replace("  ", "#"), "#");
                 let moment = found.balancing().unwrap().at(position).abs();
                 let arm = number_behind(&balance, "h = ");

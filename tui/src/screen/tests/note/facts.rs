@@ -1,5 +1,6 @@
 //! Every number that is reported in several places is one fact, shown the same everywhere.
 
+use assur_figure::letters::{Level, indexed, levels};
 use assur_report::json::analysis::to_json;
 use assur_report::text::{Style, report};
 use assur_report::topic::{regime_facts, summary};
@@ -11,9 +12,15 @@ use super::{Form, of, results};
 /// Scenes with a prescribed motion, a regime with a motor, a regime without, and a motion over time, in each language.
 const SCENES: [&str; 6] = ["shaper", "shaper-drive", "press", "slider-crank", "conveyor", "run-up"];
 
-/// A text as HTML has it.
+/// A text as HTML has it, the number of a letter as its subscript.
 fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
+    let escaped = |part: &str| part.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
+    let written = |(part, level): (&str, Level)| match level {
+        Level::Line => escaped(part),
+        Level::Below => format!("<sub>{}</sub>", escaped(part)),
+        Level::Above => format!("<sup>{}</sup>", escaped(part)),
+    };
+    levels(&indexed(text)).map(written).collect()
 }
 
 fn in_language(code: &str) -> Style {
@@ -65,11 +72,17 @@ fn text_and_note_tell_every_fact_with_the_same_number() {
                 );
                 // The note has digits of its own.
                 let of_note = language.with_digits(assur_scene::Note::default().digits);
-                let value = fact.value().render(&of_note);
+                // The links of a formula of structure have their numbers in it.
+                let numbers = assur_picture::mechanism::numbers(&linkage.mechanism);
+                let value = match fact.id {
+                    "fact-formula" => fact.value().render(&of_note.with_marks(numbers)),
+                    _ => fact.value().render(&of_note),
+                };
                 let cell = |text: &str| format!(">{}</td>", escaped(&text.replace("->", "→")));
                 let row =
                     html.split("<tr>").find(|row| row.contains(&cell(&what)) && row.contains(&cell(&value)));
-                assert!(row.is_some_and(|row| row.contains(&cell(&unit))), "{scene} {code}: {what} {value}");
+                let unit = if unit.is_empty() { "–" } else { &unit };
+                assert!(row.is_some_and(|row| row.contains(&cell(unit))), "{scene} {code}: {what} {value}");
                 compared += 1;
             }
         }

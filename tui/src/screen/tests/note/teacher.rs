@@ -55,6 +55,27 @@ fn every_figure_is_named_before_it_by_its_own_number() {
 }
 
 #[test]
+fn no_page_but_the_last_is_less_than_two_thirds_full() {
+    /// First line of a page, and its last one, mm.
+    const TOP: f64 = 22.0;
+    const LAST: f64 = 275.0;
+    for scene in SCENES {
+        let results = results(scene);
+        for language in LANGUAGES {
+            let note = Note { language: Some(language), ..Note::default() };
+            let pages = assur_note::pages(&results, &note).unwrap();
+            for (number, page) in pages.iter().enumerate().take(pages.len() - 1) {
+                let ends = page.iter().filter_map(|element| Some(element.bounds()?[3]));
+                // The number of the page stands below.
+                let end = ends.filter(|end| *end <= LAST + 1.0).fold(0.0, f64::max);
+                let part = (end - TOP) / (LAST - TOP);
+                assert!(part >= 0.666, "{scene} {language}: page {} to {part:.3}", number + 1);
+            }
+        }
+    }
+}
+
+#[test]
 fn every_table_has_a_number_and_a_name() {
     for scene in SCENES {
         let results = results(scene);
