@@ -29,7 +29,8 @@ pub(crate) fn of(
     let axes: Result<Vec<Vary>, SweepError> = vary.iter().map(|one| Vary::parse(one, Points::Grid)).collect();
     let measures =
         if measures.is_empty() { Measure::defaults() } else { Measure::named(measures).map_err(failed)? };
-    let conditions = conditions.iter().map(|one| Condition::parse(one)).collect::<Result<_, _>>().map_err(failed)?;
+    let conditions =
+        conditions.iter().map(|one| Condition::parse(one)).collect::<Result<_, _>>().map_err(failed)?;
     let request = SweepRequest { measures, conditions, ..SweepRequest::default() };
     let sweep = Sweep::of(&scene.file, &scene.text, &axes.map_err(failed)?, request).map_err(failed)?;
     let names = sweep.columns.names.clone();

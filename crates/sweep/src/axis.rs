@@ -83,7 +83,10 @@ impl Axis {
         let unit = dimension.map(|dimension| Unit::of(&name, dimension)).transpose();
         let unit = unit.map_err(|error| fault(error.describe()))?;
         let all: Vec<f64> = values.iter().map(|value| value.number).collect();
-        let extremes = [all.iter().copied().fold(f64::INFINITY, f64::min), all.iter().copied().fold(f64::NEG_INFINITY, f64::max)];
+        let extremes = [
+            all.iter().copied().fold(f64::INFINITY, f64::min),
+            all.iter().copied().fold(f64::NEG_INFINITY, f64::max),
+        ];
         let ([from, to], values) = match &vary.values {
             Written::Range { count, .. } => ([all[0], all[all.len() - 1]], Values::Spaced(*count)),
             Written::Listed(_) | Written::Column(..) => (extremes, Values::Listed(all)),
@@ -279,7 +282,11 @@ impl Axis {
 
 /// The text with a number that is its index.
 pub(crate) fn word(words: &[String], number: f64) -> Option<&str> {
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "an index; what is none has no text")]
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "an index; what is none has no text"
+    )]
     words.get(number as usize).map(String::as_str)
 }
 

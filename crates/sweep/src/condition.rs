@@ -95,7 +95,8 @@ impl Condition {
 
     /// The index of the column: of its name, or of the only one of a measure that is not the place of another.
     fn find(&self, columns: &Columns, layout: &Layout) -> Result<usize, SweepError> {
-        let of_measure: Vec<usize> = layout.values_of(&self.column).map(|value| columns.of_value(value)).collect();
+        let of_measure: Vec<usize> =
+            layout.values_of(&self.column).map(|value| columns.of_value(value)).collect();
         match (columns.find(&self.column), &of_measure[..]) {
             (Ok(column), _) => Ok(column),
             (_, [column]) => Ok(*column),

@@ -40,7 +40,8 @@ impl Points {
         match self {
             Self::Grid => {
                 let mut rest = index;
-                for (axis, out) in axes.iter().zip(&mut *out).rev().filter(|(axis, _)| axis.follows().is_none())
+                for (axis, out) in
+                    axes.iter().zip(&mut *out).rev().filter(|(axis, _)| axis.follows().is_none())
                 {
                     *out = axis.value(rest % axis.count());
                     rest /= axis.count();

@@ -54,7 +54,9 @@ impl Reach {
         for (index, axis) in axes.iter().enumerate() {
             for number in axis.compared().into_iter().skip(1) {
                 numbers[index] = number;
-                let Ok(other) = variants.at(axes, &numbers) else { return Self { everywhere: true, ..reach } };
+                let Ok(other) = variants.at(axes, &numbers) else {
+                    return Self { everywhere: true, ..reach };
+                };
                 reach.compare(&first, &other);
             }
             numbers[index] = axis.from;

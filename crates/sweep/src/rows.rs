@@ -68,7 +68,8 @@ impl Columns {
         let parameters = axes.iter().map(|axis| axis.column.clone());
         let outcome = [STATUS, "message", "failed_positions"].map(str::to_owned);
         let motor = has_motor.then(|| "motor".to_owned());
-        let names = std::iter::once(ROW.to_owned()).chain(parameters).chain(outcome).chain(values).chain(motor);
+        let names =
+            std::iter::once(ROW.to_owned()).chain(parameters).chain(outcome).chain(values).chain(motor);
         let parameters = axes.iter().map(|axis| axis.words().cloned()).collect();
         Self { names: assur_report::csv::unique(names), parameters, has_motor }
     }

@@ -80,7 +80,11 @@ impl PointTable {
     /// # Errors
     ///
     /// More or fewer cells than columns; too many cells in all.
-    pub fn push<'a>(&mut self, at: usize, cells: impl IntoIterator<Item = &'a str>) -> Result<(), SweepError> {
+    pub fn push<'a>(
+        &mut self,
+        at: usize,
+        cells: impl IntoIterator<Item = &'a str>,
+    ) -> Result<(), SweepError> {
         let cells: Vec<&str> = cells.into_iter().map(str::trim).collect();
         let point = self.places.numbers.len();
         self.places.numbers.push(at);

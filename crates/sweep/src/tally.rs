@@ -85,7 +85,8 @@ impl Tally {
     /// Reads the numbers of a line; `None` of any other text.
     pub fn parse(line: &str) -> Option<Self> {
         let (numbers, first) = line.rsplit_once(' ')?;
-        let numbers: Vec<usize> = numbers.split(' ').map(|number| number.parse().ok()).collect::<Option<_>>()?;
+        let numbers: Vec<usize> =
+            numbers.split(' ').map(|number| number.parse().ok()).collect::<Option<_>>()?;
         let (counts, rest) = numbers.split_first_chunk()?;
         let [unknown, written] = rest.try_into().ok()?;
         let first_failure = if first == "-" { None } else { Some(first.parse().ok()?) };

@@ -201,8 +201,7 @@ fn parse_values(range: &str, points: Points) -> Result<Written, Text> {
     if let (false, Some(listed)) = (is_sample, listed(range)) {
         return Ok(Written::Listed(listed));
     }
-    let (ends, count) =
-        if is_sample { (range, "1") } else { range.rsplit_once(':').ok_or_else(wrong)? };
+    let (ends, count) = if is_sample { (range, "1") } else { range.rsplit_once(':').ok_or_else(wrong)? };
     let (from, to) = ends.split_once("..").ok_or_else(wrong)?;
     let (from, to) = (from.trim(), to.trim());
     if from.is_empty() || to.is_empty() || to.contains(':') {

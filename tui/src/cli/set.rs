@@ -42,7 +42,8 @@ pub(crate) fn run(args: &SetArgs, style: Style) -> Result<Status, Fault> {
             let (key, dimension) = assur_sweep::parameter(&document, &column).map_err(unknown)?;
             for place in document.find(&key).map_err(unknown)? {
                 let number = value.parse::<f64>().ok();
-                let toml = number.map_or_else(|| quoted(&value), |number| in_unit_of(&place, number, dimension));
+                let toml =
+                    number.map_or_else(|| quoted(&value), |number| in_unit_of(&place, number, dimension));
                 places.push((place, toml));
             }
         }

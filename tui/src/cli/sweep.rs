@@ -12,8 +12,8 @@ use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 
 use assur_sweep::{
-    Best, Condition, Judged, MEASURES, Measure, Origin, PointTable, Points, Sweep, SweepError,
-    SweepRequest, Tally, Target, Tie, Vary,
+    Best, Condition, Judged, MEASURES, Measure, Origin, PointTable, Points, Sweep, SweepError, SweepRequest,
+    Tally, Target, Tie, Vary,
 };
 use assur_words::{Describe, Told, number, text};
 use clap::Args;

@@ -57,7 +57,8 @@ impl Table {
     fn of_csv(path: &Path, input: impl Read + 'static) -> Result<Self, Fault> {
         let file = path.to_owned();
         let unread = move |problem: String| Fault::from(FileError::read(&file, name(problem)));
-        let mut records = csv::records(input).map(move |record| record.map_err(|error| unread(error.to_string())));
+        let mut records =
+            csv::records(input).map(move |record| record.map_err(|error| unread(error.to_string())));
         let (_, header) = records.next().transpose()?.unwrap_or_default();
         if header.len() == 1 && header.iter().any(|cell| cell.contains(';')) {
             return Err(FileError::read(path, text!("cli-semicolons")).into());

@@ -73,7 +73,10 @@ fn the_best_is_among_the_rows_that_hold() {
     let last = table.written().last().unwrap();
     assert_eq!(found.point, last - 2, "of equal ones the first");
     // The cosine of the angle is crank over rod.
-    assert!(found.value <= 0.3 * 40_f64.to_radians().cos() && found.value > 0.3 * 40_f64.to_radians().cos() - 0.01);
+    assert!(
+        found.value <= 0.3 * 40_f64.to_radians().cos()
+            && found.value > 0.3 * 40_f64.to_radians().cos() - 0.01
+    );
 }
 
 #[test]

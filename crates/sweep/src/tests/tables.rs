@@ -35,10 +35,12 @@ fn rows_of_a_grid_are_the_points_of_the_same_rows() {
     let again = of_table(SLIDER, &format!("{}\n{}", short(&header), body.join("\n"))).unwrap();
     assert_eq!(rows(&again, 2).to_csv(false).unwrap(), text);
     // In another order, by the keys alone.
-    let second = "link.crank.points.A,slide[0].angle,input.positions\n0.15,0,8\n0.1,-10 deg,6\n15 cm,0 deg,8\n";
+    let second =
+        "link.crank.points.A,slide[0].angle,input.positions\n0.15,0,8\n0.1,-10 deg,6\n15 cm,0 deg,8\n";
     let other = rows(&of_table(SLIDER, second).unwrap(), 1);
     let values = |row: &str| row.split_once(',').unwrap().1.to_owned();
-    let [own, wanted] = [other.to_csv(false).unwrap(), text].map(|text| text.lines().map(values).collect::<Vec<_>>());
+    let [own, wanted] =
+        [other.to_csv(false).unwrap(), text].map(|text| text.lines().map(values).collect::<Vec<_>>());
     assert_eq!(own, [&*wanted[9], &*wanted[0], &*wanted[9]]);
     assert_eq!(numbers(&other, "row"), [0.0, 1.0, 2.0]);
 }
@@ -52,13 +54,19 @@ fn a_bare_cell_is_si_whatever_the_others_are() {
 #[test]
 fn a_fault_of_a_table_has_file_line_and_key() {
     for (table, problem) in [
-        ("link.crank.points.A\n0.1\nx\n", "`link.crank.points.A`: p.csv, line 3: `x` does not begin with a finite number"),
+        (
+            "link.crank.points.A\n0.1\nx\n",
+            "`link.crank.points.A`: p.csv, line 3: `x` does not begin with a finite number",
+        ),
         (
             "link.crank.points.A\n0.1\n2 kg\n",
             "`link.crank.points.A`: p.csv, line 3: wants a length (m, mm, cm, dm, km, um, in, ft), got `kg`, a mass",
         ),
         ("link.crank.points.A,slide[0].angle\n0.1\n", "p.csv, line 2: it has 1 cells, the header has 2"),
-        ("link.crank.points.A\n", "p.csv has no points: its columns are keys of the scene, its rows are points"),
+        (
+            "link.crank.points.A\n",
+            "p.csv has no points: its columns are keys of the scene, its rows are points",
+        ),
         ("row\n1\n", "p.csv has no points: its columns are keys of the scene, its rows are points"),
         ("a\n1\n", "`a`: column of p.csv: the scene has no `a`; "),
     ] {
@@ -73,10 +81,15 @@ fn a_fault_of_a_table_has_file_line_and_key() {
 
 #[test]
 fn the_origin_tells_one_table_from_another() {
-    let table = |value: &str| of_table(SLIDER, &format!("link.crank.points.A\n0.1\n{value}\n")).unwrap().origin();
+    let table =
+        |value: &str| of_table(SLIDER, &format!("link.crank.points.A\n0.1\n{value}\n")).unwrap().origin();
     let (one, other) = (table("0.12"), table("0.13"));
     assert_eq!(one["vary"], "link.crank.points.A");
-    assert!(one["table"].starts_with("2 points, hash ") && one["table"] != other["table"], "{}", one["table"]);
+    assert!(
+        one["table"].starts_with("2 points, hash ") && one["table"] != other["table"],
+        "{}",
+        one["table"]
+    );
     assert_eq!(one, table("0.12"));
 }
 
@@ -94,7 +107,8 @@ fn texts_are_values_of_a_key_that_has_a_text() {
         requested(scene, vary, request)
     };
     let motors = ["4A100L4", "4A90L4", "4A100L4"];
-    let grid = swept(scene, &[&format!("drive.motor={}", motors.join(",")), "link.ram.mass=40..50:2"]).unwrap();
+    let grid =
+        swept(scene, &[&format!("drive.motor={}", motors.join(",")), "link.ram.mass=40..50:2"]).unwrap();
     assert_eq!(grid.points(), 6);
     let table = rows(&grid, 2);
     assert!(table.columns.is_text(1));
@@ -118,7 +132,10 @@ fn texts_are_values_of_a_key_that_has_a_text() {
 fn texts_that_change_the_mechanism_are_refused() {
     let turned = sweep(assur_fixtures::scene("four-bar"), &["input.link=crank,rocker"]);
     let error = turned.map(|_| ()).unwrap_err().to_string();
-    assert!(error.ends_with("changes the links, the groups or the columns: sweep it as a scene of its own"), "{error}");
+    assert!(
+        error.ends_with("changes the links, the groups or the columns: sweep it as a scene of its own"),
+        "{error}"
+    );
     // A load on another link of the same mechanism.
     let table = run(SLIDER, &["force[1].at=A,B"], 1);
     assert_eq!((table.len(), table.cell(1, 1)), (2, CsvCell::Text("B")));
@@ -127,5 +144,8 @@ fn texts_that_change_the_mechanism_are_refused() {
         ..SweepRequest::default()
     };
     let error = requested(SLIDER, &["force[1].at=A,B"], request).unwrap_err().to_string();
-    assert_eq!(error, "`force[1].angle`: it follows `force[1].at`, whose values are texts: tie it to a number");
+    assert_eq!(
+        error,
+        "`force[1].angle`: it follows `force[1].at`, whose values are texts: tie it to a number"
+    );
 }
