@@ -509,57 +509,115 @@ fn the_best_point_is_that_of_the_rows_and_its_scene_is_written() {
     assert!(told.contains(column), "{told}");
 }
 
-/// Rows that are ok and whose transmission angle is greater.
+/// Rows that are ok, with the lesser mass and a greater transmission angle.
 fn with_angle(text: &str, least: f64) -> String {
     let rows: Vec<Vec<&str>> = text.lines().map(|line| line.split(',').collect()).collect();
     let at = rows[0].iter().position(|name| *name == "least_transmission_angle_rad").unwrap();
-    let holds = |row: &Vec<&str>| row[at].parse::<f64>().map_or(row[0] == "row", |angle| angle > least);
-    let kept = rows.iter().zip(text.split_inclusive('\n')).filter(|(row, _)| holds(row));
-    kept.map(|(_, line)| line).collect()
+    let is_good = |row: &Vec<&str>| row[2] == "1" && row[at].parse::<f64>().is_ok_and(|angle| angle > least);
+    let kept = rows.iter().zip(text.split_inclusive('\n'));
+    kept.filter(|(row, _)| row[0] == "row" || is_good(row)).map(|(_, line)| line).collect()
+}
+
+/// Good rows are behind others, and between others.
+const CRANKS: [&str; 4] =
+    ["--vary", "link.crank.points.A=330 mm..100 mm:47", "--vary", "link.piston.mass=1 kg..2 kg:2"];
+
+fn good<'a>(more: &[&'a str]) -> Vec<&'a str> {
+    let conditions = ["--where", "transmission > 50 deg", "--where", "link.piston.mass_kg < 2"];
+    [&CRANKS[..], &["--measure", "extremes"], &conditions, more].concat()
 }
 
 #[test]
-fn rows_that_hold_a_condition_are_those_of_the_whole_in_parts_too() {
+fn rows_that_hold_conditions_are_those_of_the_whole_in_parts_too() {
     let folder = folder();
     let path = folder.path();
-    let vary = ["--vary", "link.crank.points.A=100 mm..330 mm:47"];
-    let whole = sweep(path, &[&vary[..], &["--measure", "transmission,extremes"]].concat());
-    assert_eq!(summary(&whole), ("47".to_owned(), "41 ok, 6 no assembly".to_owned()));
+    let whole = sweep(path, &[&CRANKS[..], &["--measure", "transmission,extremes"]].concat());
+    assert_eq!(summary(&whole), ("94".to_owned(), "82 ok, 12 no assembly".to_owned()));
     let wanted = with_angle(str::from_utf8(&whole.stdout).unwrap(), 50_f64.to_radians());
     let rows = wanted.lines().count() - 1;
-    assert!((1..41).contains(&rows), "{wanted}");
-    let good = [&vary[..], &["--measure", "extremes", "--where", "transmission > 50 deg"]].concat();
+    assert!((5..36).contains(&rows), "{wanted}");
+    let left = 94 - rows;
     for threads in ["1", "3"] {
-        let found = sweep(path, &[&good[..], &["--threads", threads]].concat());
+        let found = sweep(path, &good(&["--threads", threads]));
         assert_eq!((end(&found), str::from_utf8(&found.stdout).unwrap()), ((0, ""), &*wanted));
-        let outcomes =
-            format!("41 ok, 6 no assembly; rows written: {rows}, left out by --where: {}", 47 - rows);
-        assert_eq!(summary(&found), ("47".to_owned(), outcomes));
+        let outcomes = format!("82 ok, 12 no assembly; rows written: {rows}, left out by --where: {left}");
+        assert_eq!(summary(&found), ("94".to_owned(), outcomes));
     }
-    let part = |part: u32| sweep(path, &[&good[..], &["--shard", &format!("{part}/4")]].concat()).stdout;
+    let part = |part: u32| sweep(path, &good(&["--shard", &format!("{part}/4")])).stdout;
     assert_eq!(String::from_utf8((1..=4).flat_map(part).collect()).unwrap(), wanted);
-    // From every beginning the rest is found, and what ended how of the points in between is not said.
-    let run = |more: &[&str]| sweep(path, &[&good[..], &["-o", "b.csv"], more].concat());
-    for length in (0..=wanted.len()).step_by(wanted.len() / 19) {
+    let none = sweep(path, &[&good(&[])[..], &["--where", "row > 93"]].concat());
+    assert_eq!(end(&none), (0, ""));
+    assert_eq!(str::from_utf8(&none.stdout).unwrap(), wanted.split_inclusive('\n').next().unwrap());
+}
+
+#[test]
+fn rows_that_hold_conditions_are_gone_on_with_from_every_beginning() {
+    let folder = folder();
+    let path = folder.path();
+    assert_eq!(end(&sweep(path, &good(&["-o", "whole.csv"]))), (0, ""));
+    let wanted = fs::read_to_string(path.join("whole.csv")).unwrap();
+    let header = wanted.find('\n').unwrap() + 1;
+    for length in (0..=wanted.len()).step_by(wanted.len() / 19).chain([header, header + 1, header + 3]) {
         fs::write(path.join("b.csv.part"), &wanted[..length]).unwrap();
-        assert_eq!(end(&run(&["--resume"])), (0, ""));
+        let resumed = sweep(path, &good(&["-o", "b.csv", "--resume"]));
+        assert_eq!(end(&resumed), (0, ""), "{length}");
         assert_eq!(fs::read_to_string(path.join("b.csv")).unwrap(), wanted, "{length}");
+        let (points, outcomes) = summary(&resumed);
+        let has_rows = wanted[..length].matches('\n').count() > 1;
+        assert_eq!(
+            (points.as_str(), outcomes.contains(" left out by an earlier run; ")),
+            ("94", has_rows),
+            "{outcomes}"
+        );
     }
     let said = fs::read_to_string(path.join("b.csv.origin.json")).unwrap();
-    assert!(said.contains("\"where\": \"transmission > 50 deg\""), "{said}");
-    // Rows are found by their numbers, not by their lines.
-    let last = wanted.lines().last().unwrap().split(',').collect::<Vec<_>>();
-    sweep(path, &[&good[..], &["-o", "b.parquet"]].concat());
+    let conditions = "\"where\": \"transmission > 50 deg\\nlink.piston.mass_kg < 2\"";
+    assert!(said.contains(conditions), "{said}");
+    // A later part has no header; rows out of order or of another part are none of its own.
+    let last = sweep(path, &good(&["--shard", "4/4"])).stdout;
+    for length in 0..40 {
+        fs::write(path.join("c.csv.part"), &last[..length]).unwrap();
+        assert_eq!(
+            end(&sweep(path, &good(&["--shard", "4/4", "-o", "c.csv", "--resume"]))),
+            (0, ""),
+            "{length}"
+        );
+        assert_eq!(fs::read(path.join("c.csv")).unwrap(), last, "{length}");
+    }
+    let lines: Vec<&[u8]> = last.split_inclusive(|byte| *byte == b'\n').collect();
+    for foreign in
+        [[lines[1], lines[0]].concat(), wanted[header..].lines().next().unwrap().as_bytes().to_vec()]
+    {
+        fs::write(path.join("c.csv.part"), foreign).unwrap();
+        let told = sweep(path, &good(&["--shard", "4/4", "-o", "c.csv", "--resume"]));
+        assert!(
+            end(&told).0 == 2 && end(&told).1.contains("does not belong to this sweep"),
+            "{}",
+            end(&told).1
+        );
+    }
+}
+
+#[test]
+fn a_row_is_found_by_its_number() {
+    let folder = folder();
+    let path = folder.path();
     for result in ["b.csv", "b.parquet"] {
+        assert_eq!(end(&sweep(path, &good(&["-o", result]))), (0, ""));
         let set = |row: &str| {
             let mut set = Command::new(env!("CARGO_BIN_EXE_assur"));
             set.args(["set", "a.toml", "--row", row, result]).current_dir(path).output().unwrap()
         };
-        let scene = set(last[0]).stdout;
-        let length = 1000.0 * last[1].parse::<f64>().unwrap();
-        assert!(str::from_utf8(&scene).unwrap().contains(&format!("A = \"{length} mm\"")), "{result}");
-        assert_eq!(set("46").status.code(), Some(2), "{result}: the last point is left out");
+        // The last crank but one, with the lesser mass.
+        let scene = String::from_utf8(set("90").stdout).unwrap();
+        assert!(scene.contains("A = \"105 mm\"") && scene.contains("mass = \"1 kg\""), "{result}: {scene}");
+        assert_eq!(set("91").status.code(), Some(2), "{result}: left out");
     }
+    // As an earlier version wrote it: without numbers, by lines.
+    fs::write(path.join("old.csv"), "link.crank.points.A_m,status\n0.12,ok\n0.13,ok\n").unwrap();
+    let mut set = Command::new(env!("CARGO_BIN_EXE_assur"));
+    let old = set.args(["set", "a.toml", "--row", "1", "old.csv"]).current_dir(path).output().unwrap();
+    assert!(str::from_utf8(&old.stdout).unwrap().contains("A = \"130 mm\""));
 }
 
 #[test]

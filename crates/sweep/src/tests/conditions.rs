@@ -9,7 +9,7 @@ const LENGTHS: [&str; 2] = ["link.crank.points.A=100 mm..330 mm:24", "link.pisto
 fn sought(conditions: &[&str], measures: &[&str]) -> Result<Sweep, SweepError> {
     let conditions = conditions.iter().map(|one| Condition::parse(one)).collect::<Result<_, _>>()?;
     let measures = Measure::named(measures)?;
-    requested(SLIDER, &LENGTHS, SweepRequest { conditions, measures, ..SweepRequest::default() })
+    requested(SLIDER, &LENGTHS, SweepRequest { measures, conditions, ..SweepRequest::default() })
 }
 
 fn fault(condition: &str) -> String {
