@@ -3,11 +3,11 @@
 use std::fmt;
 
 use assur_scene::quantity;
-use assur_words::{Describe, Text, list, name, text};
+use assur_words::{Describe, Text, name, text};
 
 use crate::column::measured;
 use crate::layout::Layout;
-use crate::rows::{Columns, Rows};
+use crate::rows::{Columns, Rows, shown};
 use crate::{MEASURES, Measure, SweepError};
 
 /// A condition on a column, which rows hold or not.
@@ -102,8 +102,8 @@ impl Condition {
             (_, [column]) => Ok(*column),
             (Err(problem), []) => Err(problem),
             (_, several) => {
-                let names = several.iter().map(|column| name(columns.names[*column].clone()));
-                Err(self.fault(text!("sweep-where-several", columns = list(names))))
+                let names: Vec<_> = several.iter().map(|column| columns.names[*column].as_str()).collect();
+                Err(self.fault(text!("sweep-where-several", columns = shown(&names))))
             }
         }
     }

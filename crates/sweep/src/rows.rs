@@ -96,7 +96,7 @@ impl Columns {
             let known: Vec<&str> = known.map(|(_, own)| own.as_str()).collect();
             let near = assur_scene::nearest(column, known.iter().copied());
             let offered = near.map_or(known, |near| vec![near]);
-            let columns = list(offered.into_iter().map(|own| name(own.to_owned())));
+            let columns = shown(&offered);
             SweepError::Request(text!("sweep-no-column", column = name(column.to_owned()), columns))
         })
     }
@@ -267,6 +267,15 @@ impl Rows {
         let names = &self.columns.names;
         rows(names, which.map(|row| (0..names.len()).map(move |column| self.cell(row, column))), ascii)
     }
+}
+
+/// Most names of columns that a message lists.
+const MOST_NAMES: usize = 24;
+
+/// Names of columns for a message, the first ones of many.
+pub(crate) fn shown(names: &[&str]) -> Text {
+    let more = names.get(MOST_NAMES).map(|_| "...");
+    list(names.iter().take(MOST_NAMES).copied().chain(more).map(|own| name(own.to_owned())))
 }
 
 /// How many numbers a row has.
