@@ -508,6 +508,9 @@ cli-sweep-other = it belongs to another sweep: { $difference }; remove it, or re
 cli-sweep-failures = error: no solution at { $failures } of { $points } points; the first, { $point }: { $message }
 cli-sweep-best = best: { $column } = { $value } at point { $point }: { $values }
 cli-sweep-no-best = no point has a value of { $column }
+cli-sweep-earlier = left out by an earlier run
+cli-sweep-summary = { $points } points in { $seconds }: { $outcomes }
+cli-sweep-summary-where = { $points } points in { $seconds }: { $outcomes }; rows written: { $written }, left out by --where: { $left }
 verdict-more-positions = error: no solution in { $count } more positions: { $positions }
 verdict-failed = FAILED: { $check }: { $reason }
 verdict-not-judged = not judged: { $check }: { $reason }
@@ -582,7 +585,7 @@ cli-keys-page = # Keys of a scene
 cli-set = { $value }: { $problem }
 cli-write-set = write it as KEY=VALUE, such as "link.crank.mass=2 kg"
 cli-row-number = --row { $row }: write the number of the row, a whole number from 0, and the file
-cli-no-row = it has no row { $row }; the first is 0
+cli-no-row = it has no row { $row }
 cli-no-sweep = it is not the result of a sweep: parameters come before the column `status`
 cli-semicolons = its cells are separated by semicolons, as spreadsheets save it in some languages: take the CSV as `assur sweep` wrote it
 cli-sweep-doubt = note: at { $point }: { $note }

@@ -483,6 +483,9 @@ cli-sweep-other = это из другого перебора: { $difference }; 
 cli-sweep-failures = ошибка: нет решения в { $failures } из { $points } точек; первая, { $point }: { $message }
 cli-sweep-best = лучшая: { $column } = { $value } в точке { $point }: { $values }
 cli-sweep-no-best = ни у одной точки нет значения { $column }
+cli-sweep-earlier = пропущено предыдущим запуском
+cli-sweep-summary = точек: { $points } за { $seconds }: { $outcomes }
+cli-sweep-summary-where = точек: { $points } за { $seconds }: { $outcomes }; строк записано: { $written }, пропущено из-за --where: { $left }
 verdict-more-positions = ошибка: нет решения ещё в { $count } положениях: { $positions }
 verdict-failed = НЕ ВЫПОЛНЕНО: { $check }: { $reason }
 verdict-not-judged = не оценено: { $check }: { $reason }
@@ -575,7 +578,7 @@ cli-keys-page = # Ключи сцены
 cli-set = { $value }: { $problem }
 cli-write-set = запишите как KEY=VALUE, например "link.crank.mass=2 kg"
 cli-row-number = --row { $row }: запишите номер строки, целое число от 0, и файл
-cli-no-row = в нем нет строки { $row }; первая имеет номер 0
+cli-no-row = в нем нет строки { $row }
 cli-no-sweep = это не результат варьирования: параметры стоят перед столбцом `status`
 cli-semicolons = его ячейки разделены точкой с запятой, как их сохраняют таблицы на некоторых языках: возьмите CSV таким, как его записал `assur sweep`
 cli-sweep-doubt = примечание: при { $point }: { $note }

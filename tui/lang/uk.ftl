@@ -480,6 +480,9 @@ cli-sweep-other = це з іншого перебору: { $difference }; вил
 cli-sweep-failures = помилка: немає розв'язку в { $failures } з { $points } точок; перша, { $point }: { $message }
 cli-sweep-best = найкраща: { $column } = { $value } у точці { $point }: { $values }
 cli-sweep-no-best = жодна точка не має значення { $column }
+cli-sweep-earlier = пропущено попереднім запуском
+cli-sweep-summary = точок: { $points } за { $seconds }: { $outcomes }
+cli-sweep-summary-where = точок: { $points } за { $seconds }: { $outcomes }; рядків записано: { $written }, пропущено через --where: { $left }
 verdict-more-positions = помилка: немає розв'язку ще в { $count } положеннях: { $positions }
 verdict-failed = НЕ ВИКОНАНО: { $check }: { $reason }
 verdict-not-judged = не оцінено: { $check }: { $reason }
@@ -572,7 +575,7 @@ cli-keys-page = # Ключі сцени
 cli-set = { $value }: { $problem }
 cli-write-set = запишіть як KEY=VALUE, наприклад "link.crank.mass=2 kg"
 cli-row-number = --row { $row }: запишіть номер рядка, ціле число від 0, і файл
-cli-no-row = у ньому немає рядка { $row }; перший має номер 0
+cli-no-row = у ньому немає рядка { $row }
 cli-no-sweep = це не результат варіювання: параметри стоять перед стовпцем `status`
 cli-semicolons = його клітинки розділені крапкою з комою, як їх зберігають таблиці деякими мовами: візьміть CSV таким, як його записав `assur sweep`
 cli-sweep-doubt = примітка: при { $point }: { $note }

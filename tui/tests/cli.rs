@@ -398,7 +398,7 @@ fn a_measure_by_its_key_has_the_columns_of_that_key_alone() {
         .output()
         .unwrap();
     let text = String::from_utf8(output.stdout).unwrap();
-    let columns: Vec<&str> = text.lines().next().unwrap().split(',').skip(4).collect();
+    let columns: Vec<&str> = text.lines().next().unwrap().split(',').skip(5).collect();
     let wanted = ["min", "max", "mean", "rms"].map(|word| format!("balancing_{word}_Nm"));
     assert_eq!(columns, wanted);
 }

@@ -44,6 +44,11 @@ const COMMANDS: &[&[&str]] = &[
     &["sweep", "a.toml", "--vary", "input.from=0..7:2", "-o", "b.csv"],
     &["sweep", "a.toml", "--vary", "link.crank.points.A=9 m..99 m:2", "-o", "b.csv"],
     &["sweep", "a.toml", "--vary", "link.crank.points.A=-1 m..1e9 m:2", "-o", "b.csv"],
+    &["sweep", "a.toml", "--vary", "link.crank.mass=1..2:2", "--where", "row", "-o", "b.csv"],
+    &["sweep", "a.toml", "--vary", "link.crank.mass=1..2:2", "--where", "row > 1 m", "-o", "b.csv"],
+    &["sweep", "a.toml", "--vary", "input.link=crank,ground", "-o", "b.csv"],
+    &["sweep", "a.toml", "--points", "none.csv", "-o", "b.csv"],
+    &["sweep", "a.toml", "--points", "a.toml", "-o", "b.csv"],
 ];
 
 /// Commands without a scene, or with a scene that is none.

@@ -30,9 +30,19 @@ fn sweep(folder: &Path, arguments: &[&str]) -> Output {
     command(folder, arguments).output().unwrap()
 }
 
-/// Exit status and standard error.
+/// Exit status and standard error without the summary.
 fn end(output: &Output) -> (i32, &str) {
-    (output.status.code().unwrap(), str::from_utf8(&output.stderr).unwrap())
+    let told = str::from_utf8(&output.stderr).unwrap();
+    let last = told.trim_end().rfind('\n').map_or(0, |end| end + 1);
+    let kept = if told[last..].contains(" points in ") { last } else { told.len() };
+    (output.status.code().unwrap(), &told[..kept])
+}
+
+/// The summary without its time.
+fn summary(output: &Output) -> (String, String) {
+    let last = str::from_utf8(&output.stderr).unwrap().lines().last().unwrap();
+    let (points, rest) = last.split_once(" points in ").unwrap_or_else(|| panic!("{last}"));
+    (points.to_owned(), rest.split_once(" s: ").unwrap().1.to_owned())
 }
 
 fn names(folder: &Path) -> Vec<String> {
@@ -48,8 +58,8 @@ fn rows_go_to_standard_output_or_to_a_file() {
     let printed = sweep(folder.path(), &["--vary", LENGTHS]);
     assert_eq!(end(&printed), (0, ""));
     let text = str::from_utf8(&printed.stdout).unwrap();
-    assert!(text.starts_with("link.crank.points.A_m,status,message,failed_positions,smallest_health,"));
-    let first: Vec<_> = text.lines().map(|line| line.split(',').next().unwrap()).collect();
+    assert!(text.starts_with("row,link.crank.points.A_m,status,message,failed_positions,smallest_health,"));
+    let first: Vec<_> = text.lines().map(|line| line.split(',').nth(1).unwrap()).collect();
     assert_eq!(first, ["link.crank.points.A_m", "0.1", "0.15", "0.2"]);
     let written = sweep(folder.path(), &["--vary", LENGTHS, "-o", "b.csv", "--threads", "1"]);
     assert_eq!((end(&written), written.stdout.len()), ((0, ""), 0));
@@ -72,8 +82,8 @@ fn a_point_without_solution_keeps_its_row_and_ends_with_1() {
     assert!(message.starts_with(start), "{message}");
     let text = fs::read_to_string(folder.path().join("b.csv")).unwrap();
     assert_eq!(text.lines().count(), 3);
-    assert!(text.lines().nth(1).unwrap().starts_with("0.2,ok,"), "{text}");
-    assert!(text.lines().nth(2).unwrap().starts_with("0.4,no assembly,"), "{text}");
+    assert!(text.lines().nth(1).unwrap().starts_with("0,0.2,ok,"), "{text}");
+    assert!(text.lines().nth(2).unwrap().starts_with("1,0.4,no assembly,"), "{text}");
 }
 
 #[test]
@@ -110,12 +120,18 @@ const MANY: &str = "link.crank.points.A=100 mm..301 mm:20000";
 fn a_sweep_that_is_killed_again_and_again_ends_as_if_it_had_not_been() {
     let folder = folder();
     let path = folder.path();
-    for (whole, killed) in [("whole.csv", "killed.csv"), ("whole.parquet", "killed.parquet")] {
-        let first = sweep(path, &["--vary", MANY, "-o", whole]);
+    let (all, good) = (&["--vary", MANY][..], ["--vary", MANY, "--where", "transmission > 45 deg"]);
+    for (points, whole, killed) in [
+        (all, "whole.csv", "killed.csv"),
+        (all, "whole.parquet", "killed.parquet"),
+        (&good, "good.csv", "good-killed.csv"),
+        (&good, "good.parquet", "good-killed.parquet"),
+    ] {
+        let first = sweep(path, &[points, &["-o", whole]].concat());
         let (mut kills, mut seed) = (0, 1_u64);
         let last = loop {
             let part = path.join(format!("{killed}.part"));
-            let mut child = command(path, &["--vary", MANY, "-o", killed, "--resume"])
+            let mut child = command(path, &[points, &["-o", killed, "--resume"]].concat())
                 .stderr(std::process::Stdio::piped())
                 .spawn()
                 .unwrap();
@@ -140,9 +156,9 @@ fn a_sweep_that_is_killed_again_and_again_ends_as_if_it_had_not_been() {
         assert_eq!(end(&last), end(&first));
         assert_eq!(fs::read(path.join(killed)).unwrap(), fs::read(path.join(whole)).unwrap(), "{killed}");
     }
-    let tables = ["killed.csv", "killed.csv.origin.json", "killed.parquet"];
-    let others = ["whole.csv", "whole.csv.origin.json", "whole.parquet"];
-    assert_eq!(names(path), [&["a.toml"][..], &tables, &others].concat());
+    let of = |name: &str| ["csv", "csv.origin.json", "parquet"].map(|end| format!("{name}.{end}"));
+    let tables = ["good-killed", "good", "killed", "whole"].into_iter().flat_map(of);
+    assert_eq!(names(path), std::iter::once("a.toml".to_owned()).chain(tables).collect::<Vec<_>>());
 }
 
 #[test]
@@ -485,10 +501,236 @@ fn the_best_point_is_that_of_the_rows_and_its_scene_is_written() {
         let best = rows[1..].iter().min_by(|one, other| value(one).total_cmp(&value(other))).unwrap();
         let (written, told) = run(&format!("{sweep} --best {word}:{column} --best-scene {word}.toml"));
         assert_eq!(written.lines().count(), 5, "all rows are written all the same");
-        assert!(told.contains(best[0].trim_end_matches('0')), "{told}");
+        assert!(told.contains(best[1].trim_end_matches('0')), "{told}");
         let scene = std::fs::read_to_string(folder.path().join(format!("{word}.toml"))).unwrap();
-        assert!(scene.contains(&format!("A = {}", best[0])), "{scene}");
+        assert!(scene.contains(&format!("A = {}", best[1])), "{scene}");
     }
     let (_, told) = run(&format!("{sweep} --best least:least_transmision_angle_rad"));
     assert!(told.contains(column), "{told}");
+}
+
+/// Rows that are ok, with the lesser mass and a greater transmission angle.
+fn with_angle(text: &str, least: f64) -> String {
+    let rows: Vec<Vec<&str>> = text.lines().map(|line| line.split(',').collect()).collect();
+    let at = rows[0].iter().position(|name| *name == "least_transmission_angle_rad").unwrap();
+    let is_good = |row: &Vec<&str>| row[2] == "1" && row[at].parse::<f64>().is_ok_and(|angle| angle > least);
+    let kept = rows.iter().zip(text.split_inclusive('\n'));
+    kept.filter(|(row, _)| row[0] == "row" || is_good(row)).map(|(_, line)| line).collect()
+}
+
+/// Good rows are behind others, and between others.
+const CRANKS: [&str; 4] =
+    ["--vary", "link.crank.points.A=330 mm..100 mm:47", "--vary", "link.piston.mass=1 kg..2 kg:2"];
+
+fn good<'a>(more: &[&'a str]) -> Vec<&'a str> {
+    let conditions = ["--where", "transmission > 50 deg", "--where", "link.piston.mass_kg < 2"];
+    [&CRANKS[..], &["--measure", "extremes"], &conditions, more].concat()
+}
+
+#[test]
+fn rows_that_hold_conditions_are_those_of_the_whole_in_parts_too() {
+    let folder = folder();
+    let path = folder.path();
+    let whole = sweep(path, &[&CRANKS[..], &["--measure", "transmission,extremes"]].concat());
+    assert_eq!(summary(&whole), ("94".to_owned(), "82 ok, 12 no assembly".to_owned()));
+    let wanted = with_angle(str::from_utf8(&whole.stdout).unwrap(), 50_f64.to_radians());
+    let rows = wanted.lines().count() - 1;
+    assert!((5..36).contains(&rows), "{wanted}");
+    let left = 94 - rows;
+    for threads in ["1", "3"] {
+        let found = sweep(path, &good(&["--threads", threads]));
+        assert_eq!((end(&found), str::from_utf8(&found.stdout).unwrap()), ((0, ""), &*wanted));
+        let outcomes = format!("82 ok, 12 no assembly; rows written: {rows}, left out by --where: {left}");
+        assert_eq!(summary(&found), ("94".to_owned(), outcomes));
+    }
+    let part = |part: u32| sweep(path, &good(&["--shard", &format!("{part}/4")])).stdout;
+    assert_eq!(String::from_utf8((1..=4).flat_map(part).collect()).unwrap(), wanted);
+    let none = sweep(path, &[&good(&[])[..], &["--where", "row > 93"]].concat());
+    assert_eq!(end(&none), (0, ""));
+    assert_eq!(str::from_utf8(&none.stdout).unwrap(), wanted.split_inclusive('\n').next().unwrap());
+}
+
+#[test]
+fn rows_that_hold_conditions_are_gone_on_with_from_every_beginning() {
+    let folder = folder();
+    let path = folder.path();
+    assert_eq!(end(&sweep(path, &good(&["-o", "whole.csv"]))), (0, ""));
+    let wanted = fs::read_to_string(path.join("whole.csv")).unwrap();
+    let header = wanted.find('\n').unwrap() + 1;
+    for length in (0..=wanted.len()).step_by(wanted.len() / 19).chain([header, header + 1, header + 3]) {
+        fs::write(path.join("b.csv.part"), &wanted[..length]).unwrap();
+        let resumed = sweep(path, &good(&["-o", "b.csv", "--resume"]));
+        assert_eq!(end(&resumed), (0, ""), "{length}");
+        assert_eq!(fs::read_to_string(path.join("b.csv")).unwrap(), wanted, "{length}");
+        let (points, outcomes) = summary(&resumed);
+        let has_rows = wanted[..length].matches('\n').count() > 1;
+        assert_eq!(
+            (points.as_str(), outcomes.contains(" left out by an earlier run; ")),
+            ("94", has_rows),
+            "{outcomes}"
+        );
+    }
+    let said = fs::read_to_string(path.join("b.csv.origin.json")).unwrap();
+    let conditions = "\"where\": \"transmission > 50 deg\\nlink.piston.mass_kg < 2\"";
+    assert!(said.contains(conditions), "{said}");
+    // A later part has no header; rows out of order or of another part are none of its own.
+    let last = sweep(path, &good(&["--shard", "4/4"])).stdout;
+    for length in 0..40 {
+        fs::write(path.join("c.csv.part"), &last[..length]).unwrap();
+        assert_eq!(
+            end(&sweep(path, &good(&["--shard", "4/4", "-o", "c.csv", "--resume"]))),
+            (0, ""),
+            "{length}"
+        );
+        assert_eq!(fs::read(path.join("c.csv")).unwrap(), last, "{length}");
+    }
+    let lines: Vec<&[u8]> = last.split_inclusive(|byte| *byte == b'\n').collect();
+    for foreign in
+        [[lines[1], lines[0]].concat(), wanted[header..].lines().next().unwrap().as_bytes().to_vec()]
+    {
+        fs::write(path.join("c.csv.part"), foreign).unwrap();
+        let told = sweep(path, &good(&["--shard", "4/4", "-o", "c.csv", "--resume"]));
+        assert!(
+            end(&told).0 == 2 && end(&told).1.contains("does not belong to this sweep"),
+            "{}",
+            end(&told).1
+        );
+    }
+}
+
+#[test]
+fn a_row_is_found_by_its_number() {
+    let folder = folder();
+    let path = folder.path();
+    for result in ["b.csv", "b.parquet"] {
+        assert_eq!(end(&sweep(path, &good(&["-o", result]))), (0, ""));
+        let set = |row: &str| {
+            let mut set = Command::new(env!("CARGO_BIN_EXE_assur"));
+            set.args(["set", "a.toml", "--row", row, result]).current_dir(path).output().unwrap()
+        };
+        // The last crank but one, with the lesser mass.
+        let scene = String::from_utf8(set("90").stdout).unwrap();
+        assert!(scene.contains("A = \"105 mm\"") && scene.contains("mass = \"1 kg\""), "{result}: {scene}");
+        assert_eq!(set("91").status.code(), Some(2), "{result}: left out");
+    }
+    // As an earlier version wrote it: without numbers, by lines.
+    fs::write(path.join("old.csv"), "link.crank.points.A_m,status\n0.12,ok\n0.13,ok\n").unwrap();
+    let mut set = Command::new(env!("CARGO_BIN_EXE_assur"));
+    let old = set.args(["set", "a.toml", "--row", "1", "old.csv"]).current_dir(path).output().unwrap();
+    assert!(str::from_utf8(&old.stdout).unwrap().contains("A = \"130 mm\""));
+}
+
+#[test]
+fn rows_of_a_sweep_are_points_of_another() {
+    let folder = folder();
+    let path = folder.path();
+    let vary = ["--vary", "link.crank.points.A=100 mm..330 mm:9", "--vary", "link.piston.mass=1..2:2"];
+    for whole in ["whole.csv", "whole.parquet"] {
+        sweep(path, &[&vary[..], &["-o", whole]].concat());
+    }
+    let wanted = fs::read_to_string(path.join("whole.csv")).unwrap();
+    for table in ["whole.csv", "whole.parquet"] {
+        let again = sweep(path, &["--points", table]);
+        assert_eq!(str::from_utf8(&again.stdout).unwrap(), wanted, "{table}");
+    }
+    fs::write(
+        path.join("p.csv"),
+        "\u{feff}link.piston.mass,\"link.crank.points.A\"\n2 kg,330 mm\n1000 g,0.1\n",
+    )
+    .unwrap();
+    let own = sweep(path, &["--points", "p.csv", "-o", "own.csv"]);
+    assert_eq!(summary(&own), ("2".to_owned(), "1 ok, 1 no assembly".to_owned()));
+    let own = fs::read_to_string(path.join("own.csv")).unwrap();
+    let values = |line: &str| line.splitn(4, ',').nth(3).unwrap().to_owned();
+    let lines: Vec<String> = own.lines().map(values).collect();
+    let known: Vec<String> = wanted.lines().map(values).collect();
+    assert_eq!(lines[1..], [known[18].clone(), known[1].clone()]);
+    // Other points are not gone on with.
+    fs::rename(path.join("own.csv"), path.join("own.csv.part")).unwrap();
+    fs::rename(path.join("own.csv.origin.json"), path.join("own.csv.part.origin.json")).unwrap();
+    fs::write(path.join("p.csv"), "link.piston.mass,link.crank.points.A\n2 kg,330 mm\n1000 g,0.11\n")
+        .unwrap();
+    let other = sweep(path, &["--points", "p.csv", "-o", "own.csv", "--resume"]);
+    assert!(
+        end(&other).0 == 2 && end(&other).1.contains("`table` was `2 points, hash "),
+        "{}",
+        end(&other).1
+    );
+    fs::write(path.join("p.csv"), "link.piston.mass,link.crank.points.A\n2 kg,330 mm\n1000 mm,0.1\n")
+        .unwrap();
+    let told = sweep(path, &["--points", "p.csv"]);
+    let problem = "error: `link.piston.mass`: p.csv, line 3: wants a mass";
+    assert!(end(&told).0 == 2 && end(&told).1.starts_with(problem), "{}", end(&told).1);
+    for (table, problem) in [("p.csv;a\n", "separated by semicolons"), ("", "has no points")] {
+        fs::write(path.join("p.csv"), table).unwrap();
+        let told = sweep(path, &["--points", "p.csv"]);
+        assert!(end(&told).0 == 2 && end(&told).1.contains(problem), "{}", end(&told).1);
+    }
+    assert_eq!(end(&sweep(path, &["--points", "none.csv"])).0, 2);
+    assert_eq!(end(&sweep(path, &["--points", "whole.csv", "--vary", LENGTHS])).0, 2);
+}
+
+#[test]
+fn the_best_of_a_resumed_sweep_is_that_of_the_whole() {
+    let folder = folder();
+    let path = folder.path();
+    let vary = ["--vary", "link.crank.points.A=100 mm..200 mm:400"];
+    let best = [&vary[..], &["--best", "greatest:smallest_health"]].concat();
+    let first = sweep(path, &[&best[..], &["-o", "whole.csv"]].concat());
+    assert!(end(&first).1.starts_with("best: smallest_health = "), "{}", end(&first).1);
+    let whole = fs::read_to_string(path.join("whole.csv")).unwrap();
+    for rows in [1, 2, 200, 401] {
+        let begun: String = whole.split_inclusive('\n').take(rows).collect();
+        fs::write(path.join("b.csv.part"), begun).unwrap();
+        let resumed = sweep(path, &[&best[..], &["-o", "b.csv", "--resume"]].concat());
+        assert_eq!(end(&resumed), end(&first), "{rows}");
+    }
+    // Parts of Parquet, of which some are there.
+    let part = path.join("b.parquet.part");
+    let mut child = command(path, &["--vary", "link.crank.points.A=100 mm..200 mm:4000", "-o", "b.parquet"])
+        .stderr(std::process::Stdio::null())
+        .spawn()
+        .unwrap();
+    while child.try_wait().unwrap().is_none() && !part.join("000001.parquet").exists() {
+        std::thread::sleep(Duration::from_millis(1));
+    }
+    child.kill().unwrap();
+    child.wait().unwrap();
+    assert!(part.join("000001.parquet").exists(), "too few points for this machine");
+    let best = ["--vary", "link.crank.points.A=100 mm..200 mm:4000", "--best", "least:link.crank.points.A_m"];
+    let resumed = sweep(path, &[&best[..], &["-o", "b.parquet", "--resume"]].concat());
+    let told = "best: link.crank.points.A_m = 0.1 at point 0: link.crank.points.A = 100 mm\n";
+    assert_eq!(end(&resumed), (0, told));
+}
+
+#[test]
+fn examples_of_the_four_bar_are_played() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("four-bar.toml"), assur_fixtures::scene("four-bar")).unwrap();
+    let text = include_str!("../../docs/sweep.md").replace("\\\n", " ");
+    let calls: Vec<&str> =
+        text.lines().filter(|line| line.starts_with("assur sweep four-bar.toml")).collect();
+    assert!(calls.len() > 3, "{calls:?}");
+    for call in calls {
+        // Words, some in quotes.
+        let parts = call.split('"').enumerate();
+        let words = parts.flat_map(|(part, text)| match part % 2 {
+            0 => text.split_whitespace().collect(),
+            _ => vec![text],
+        });
+        let mut command = Command::new(env!("CARGO_BIN_EXE_assur"));
+        let output = command.args(words.skip(1)).current_dir(folder.path()).output().unwrap();
+        assert_eq!(output.status.code(), Some(0), "{call}: {}", String::from_utf8_lossy(&output.stderr));
+    }
+    let rows = |name: &str| fs::read_to_string(folder.path().join(name)).unwrap().lines().count() - 1;
+    assert!((1..26).contains(&rows("good.csv")));
+    assert_eq!(rows("all-of-good.csv"), rows("good.csv"));
+    // The table of points of the page is one.
+    let table = text.split("```csv\n").nth(1).unwrap().split("```").next().unwrap();
+    fs::write(folder.path().join("points.csv"), table).unwrap();
+    let mut command = Command::new(env!("CARGO_BIN_EXE_assur"));
+    command.args(["sweep", "four-bar.toml", "--points", "points.csv"]).current_dir(folder.path());
+    let rows = String::from_utf8(command.output().unwrap().stdout).unwrap();
+    let first: Vec<&str> = rows.lines().map(|line| line.split(",ok").next().unwrap()).skip(1).collect();
+    assert_eq!(first, ["0,0.09,2", "1,0.1,2.2"]);
 }

@@ -104,13 +104,29 @@ impl Scene {
         Self::parse(&self.file, &text)
     }
 
-    /// The scene with many values of its own numbers, in all combinations: each of `vary` is `KEY=FROM..TO:N`, as in `assur sweep`;
+    /// The scene with many values of its own numbers, in all combinations: each of `vary` is `KEY=FROM..TO:N` or `KEY=A,B,C`, as in
+    /// `assur sweep`;
     /// `measures` are its measures, the usual ones where none is named.
     ///
     /// # Errors
     ///
     /// A parameter that the scene does not have, an unknown measure, too many points. A point that fails is a row.
     pub fn sweep(&self, vary: &[&str], measures: &[&str]) -> Result<SweepRows, Error> {
-        swept::of(self, vary, measures)
+        swept::of(self, vary, measures, &[])
+    }
+
+    /// A [sweep](Self::sweep) of which only those rows are kept that hold every condition, such as `transmission > 40 deg`: a column, or a
+    /// measure that gives one value, and a number in SI or with a unit.
+    ///
+    /// # Errors
+    ///
+    /// As those of [`sweep`](Self::sweep); a condition on no column of numbers.
+    pub fn sweep_where(
+        &self,
+        vary: &[&str],
+        measures: &[&str],
+        conditions: &[&str],
+    ) -> Result<SweepRows, Error> {
+        swept::of(self, vary, measures, conditions)
     }
 }

@@ -3,14 +3,15 @@
 use std::num::NonZeroUsize;
 
 use assur_report::csv::CsvCell;
-use assur_sweep::{Measure, Points, Sweep, SweepError, SweepRequest, Vary};
+use assur_sweep::{Condition, Measure, Points, Sweep, SweepError, SweepRequest, Vary};
 use assur_words::Describe;
 
 use crate::{Error, Scene};
 
-/// The rows of a sweep: one for each point, in their order.
+/// The rows of a sweep: one for each point, in their order, without those that a condition leaves out.
 #[derive(Debug, Clone)]
 pub struct SweepRows {
+    points: Vec<usize>,
     names: Vec<String>,
     statuses: Vec<&'static str>,
     messages: Vec<String>,
@@ -18,15 +19,23 @@ pub struct SweepRows {
     texts: Vec<Vec<String>>,
 }
 
-pub(crate) fn of(scene: &Scene, vary: &[&str], measures: &[&str]) -> Result<SweepRows, Error> {
+pub(crate) fn of(
+    scene: &Scene,
+    vary: &[&str],
+    measures: &[&str],
+    conditions: &[&str],
+) -> Result<SweepRows, Error> {
     let failed = |error: SweepError| Error::told(error.describe());
     let axes: Result<Vec<Vary>, SweepError> = vary.iter().map(|one| Vary::parse(one, Points::Grid)).collect();
     let measures =
         if measures.is_empty() { Measure::defaults() } else { Measure::named(measures).map_err(failed)? };
-    let request = SweepRequest { measures, ..SweepRequest::default() };
+    let conditions =
+        conditions.iter().map(|one| Condition::parse(one)).collect::<Result<_, _>>().map_err(failed)?;
+    let request = SweepRequest { measures, conditions, ..SweepRequest::default() };
     let sweep = Sweep::of(&scene.file, &scene.text, &axes.map_err(failed)?, request).map_err(failed)?;
     let names = sweep.columns.names.clone();
     let mut rows = SweepRows {
+        points: Vec::new(),
         statuses: Vec::new(),
         messages: Vec::new(),
         values: vec![Vec::new(); names.len()],
@@ -39,7 +48,8 @@ pub(crate) fn of(scene: &Scene, vary: &[&str], measures: &[&str]) -> Result<Swee
         threads,
         |rows| rows,
         |block| -> Result<(), SweepError> {
-            for row in 0..block.len() {
+            for row in block.written() {
+                rows.points.push(block.first + row);
                 if let Some((status, message)) = block.status(row) {
                     rows.statuses.push(status.text());
                     rows.messages.push(message.to_owned());
@@ -70,6 +80,11 @@ impl SweepRows {
     /// Whether there is no row.
     pub fn is_empty(&self) -> bool {
         self.statuses.is_empty()
+    }
+
+    /// The number of the point of each row, from 0: where a condition leaves rows out, with gaps.
+    pub fn points(&self) -> &[usize] {
+        &self.points
     }
 
     /// The names of the columns, as `assur sweep` writes them.

@@ -90,6 +90,20 @@ fn a_point_of_a_sweep_is_the_scene_with_its_value() {
 }
 
 #[test]
+fn rows_that_hold_a_condition_have_the_numbers_of_the_whole_sweep() {
+    let (scene, key) = (shipped("four-bar"), "link.crank.points.A=50 mm..90 mm:21");
+    let whole = scene.sweep(&[key], &["transmission"]).unwrap();
+    let kept = scene.sweep_where(&[key], &["transmission"], &["transmission > 60 deg"]).unwrap();
+    let angles = |rows: &SweepRows| rows.column("least_transmission_angle_rad").unwrap().to_vec();
+    let of_whole = angles(&whole);
+    let wanted: Vec<usize> =
+        (0..of_whole.len()).filter(|point| of_whole[*point] > 60_f64.to_radians()).collect();
+    assert!((1..21).contains(&wanted.len()), "{of_whole:?}");
+    assert_eq!((whole.points().len(), kept.points()), (21, &wanted[..]));
+    assert_eq!(angles(&kept), wanted.iter().map(|point| of_whole[*point]).collect::<Vec<_>>());
+}
+
+#[test]
 fn an_error_has_its_place_and_key() {
     let text = scene("four-bar").replacen("mass = \"1.4 kg\"", "mass = \"4 mm\"", 1);
     let error = Scene::parse("a.toml", &text).unwrap_err();

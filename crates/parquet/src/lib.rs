@@ -6,6 +6,7 @@
 //! nothing but the program has to wait in a build.
 
 mod positions;
+mod read;
 pub mod sweep;
 
 use std::fs;
@@ -28,6 +29,7 @@ use assur_report::csv::CsvCell;
 use assur_words::{Describe, Text, errors, name, text};
 
 pub use positions::Writer;
+pub use read::Rows;
 
 /// A table can't be written as Parquet.
 pub struct ParquetError(Inner);
@@ -69,6 +71,11 @@ enum Values {
 }
 
 impl Column {
+    /// A column of whole numbers, which every row has.
+    pub fn of_whole(name: String) -> Self {
+        Self { name, values: Values::Whole(Vec::new()), levels: None }
+    }
+
     /// A column of numbers; `optional`: some rows may have none.
     pub fn of_numbers(name: String, optional: bool) -> Self {
         Self { name, values: Values::Numbers(Vec::new()), levels: optional.then(Vec::new) }
@@ -84,6 +91,11 @@ impl Column {
         let has = match (&mut self.values, cell) {
             (Values::Numbers(numbers), CsvCell::Number(number)) => {
                 numbers.push(number);
+                true
+            }
+            (Values::Whole(numbers), cell) => {
+                #[expect(clippy::cast_possible_truncation, reason = "a whole number below 2^53")]
+                numbers.push(if let CsvCell::Number(number) = cell { number as i64 } else { 0 });
                 true
             }
             (Values::Texts(texts), CsvCell::Text(text)) => {

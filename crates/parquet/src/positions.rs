@@ -32,7 +32,7 @@ impl<W: Write + Send> Writer<W> {
         let (sources, names): (Vec<usize>, Vec<String>) = named.unzip();
         let mut names = csv::unique(std::iter::once("index".to_owned()).chain(names)).into_iter();
         let name = names.next().unwrap_or_default();
-        let index = Column { name, values: Values::Whole(Vec::new()), levels: None };
+        let index = Column::of_whole(name);
         let column = |(name, source): (String, &usize)| {
             Column::of_numbers(name, schema.section_of(*source) != Section::ALWAYS)
         };

@@ -5,16 +5,11 @@
 
 use std::fs::File;
 use std::io::Write;
-use std::sync::Arc;
 
-use ::parquet::basic::Type;
-use ::parquet::column::reader::ColumnReaderImpl;
-use ::parquet::data_type::DoubleType;
-use ::parquet::file::metadata::{ColumnChunkMetaData, ParquetMetaDataReader};
-use ::parquet::file::serialized_reader::SerializedPageReader;
-use assur_sweep::{Columns, Origin, Rows, Sweep, Tally};
+use ::parquet::file::metadata::ParquetMetaDataReader;
+use assur_sweep::{Best, Columns, Judged, Origin, ReadRow, Rows, Sweep, Tally};
 
-use crate::{Column, File as Written, ParquetError, schema};
+use crate::{Column, File as Written, ParquetError, Rows as Table, schema};
 
 /// Keys of a part's own data.
 const TALLY: &str = "assur.tally";
@@ -23,20 +18,26 @@ const LAST: &str = "assur.last";
 /// What the keys of the origin begin with.
 const ORIGIN: &str = "assur.";
 
-/// Rows as a whole file with one group. It keeps what [`FilePart`] reads back.
+/// Rows as a whole file with one group, or none where no row is written. It keeps what [`FilePart`] reads back.
 pub fn part(rows: &Rows, origin: &Origin) -> Result<Vec<u8>, ParquetError> {
-    let tally = Tally::of(rows);
-    let first = tally.first.map_or_else(String::new, |first| first.to_string());
     let mut data = told(origin);
-    data.push((TALLY.to_owned(), format!("{} {} {first}", tally.failures, tally.hopeless)));
+    data.push((TALLY.to_owned(), Tally::of(rows).line()));
     data.push((LAST.to_owned(), last(rows)));
     let mut all = columns(&rows.columns);
     for (index, column) in all.iter_mut().enumerate() {
-        (0..rows.len()).for_each(|row| column.push(rows.cell(row, index)));
+        rows.written().for_each(|row| column.push(rows.cell(row, index)));
     }
     let mut file = Written::new(&all, data, true, Vec::new())?;
-    file.write_group(&mut all)?;
+    if rows.written().next().is_some() {
+        file.write_group(&mut all)?;
+    }
     file.finish()
+}
+
+/// The last row as CSV, written or not.
+pub fn last(rows: &Rows) -> String {
+    let text = rows.len().checked_sub(1).and_then(|last| rows.row_to_csv(last, false).ok());
+    text.unwrap_or_default().trim_end().to_owned()
 }
 
 /// A part that was written earlier.
@@ -44,7 +45,7 @@ pub fn part(rows: &Rows, origin: &Origin) -> Result<Vec<u8>, ParquetError> {
 pub struct FilePart {
     /// How its points ended.
     pub tally: Tally,
-    /// Its last row as CSV.
+    /// Its last row as CSV, written or not.
     pub last: String,
     /// What its rows are made of.
     pub origin: Origin,
@@ -63,22 +64,31 @@ impl FilePart {
             .filter_map(|data| Some((data.key.strip_prefix(ORIGIN)?.to_owned(), data.value.clone()?)))
             .collect();
         let mut own = |key: &str| origin.remove(key.strip_prefix(ORIGIN)?);
-        let (counts, last) = (own(TALLY)?, own(LAST)?);
-        let mut numbers = counts.split(' ').map(|number| number.parse::<usize>().ok());
-        let tally = Tally {
-            points: usize::try_from(metadata.num_rows()).ok()?,
-            failures: numbers.next()??,
-            hopeless: numbers.next()??,
-            first: numbers.next()?,
-        };
-        Some(Self { tally, last, origin })
+        let (tally, last) = (Tally::parse(&own(TALLY)?)?, own(LAST)?);
+        let rows = usize::try_from(metadata.num_rows()).ok()?;
+        (tally.written == rows).then_some(Self { tally, last, origin })
     }
 }
 
-/// The last row as CSV.
-fn last(rows: &Rows) -> String {
-    let text = rows.to_csv(false).unwrap_or_default();
-    text.lines().next_back().unwrap_or_default().to_owned()
+/// The best of the rows of a part, by the numbers of a column.
+pub fn best(
+    file: File,
+    columns: &Columns,
+    (best, column): (&Best, usize),
+) -> Result<Option<Judged>, ParquetError> {
+    let names = [0, columns.status(), column].map(|index| columns.names[index].as_str());
+    let rows = Table::of(file, |name| names.contains(&name))?;
+    let places = names.map(|name| rows.header.iter().position(|own| own == name));
+    let mut found = None;
+    for row in rows {
+        let row = row?;
+        let [point, status, value] = places.map(|place| place.map_or("", |place| row[place].as_str()));
+        if let (Ok(point), Ok(status)) = (point.parse(), status.parse()) {
+            let read = ReadRow { point, status, value: value.parse().ok() };
+            found = best.better(found, Best::judged(&read));
+        }
+    }
+    Ok(found)
 }
 
 /// Writes the groups of all parts, in their order, as one file.
@@ -105,42 +115,11 @@ fn columns(columns: &Columns) -> Vec<Column> {
     let of = |(index, name): (usize, &String)| {
         if columns.is_text(index) {
             Column::of_texts(name.clone())
+        } else if columns.is_whole(index) {
+            Column::of_whole(name.clone())
         } else {
             Column::of_numbers(name.clone(), true)
         }
     };
     columns.names.iter().enumerate().map(of).collect()
-}
-
-/// The parameters of a row of a file with rows of a sweep: the columns before `status`. `None` without such a row or column.
-pub fn parameters(file: File, row: usize) -> Result<Option<Vec<(String, f64)>>, ParquetError> {
-    let metadata = ParquetMetaDataReader::new().parse_and_finish(&file)?;
-    let (file, mut row) = (Arc::new(file), row);
-    for group in metadata.row_groups() {
-        let rows = usize::try_from(group.num_rows()).unwrap_or(0);
-        if row < rows {
-            let before = group.columns().iter().take_while(|column| column.column_descr().name() != "status");
-            return before.map(|column| parameter(&file, column, rows, row)).collect();
-        }
-        row -= rows;
-    }
-    Ok(None)
-}
-
-/// The name of a column and its number in a row of a group of so many rows; `None` where there is no number.
-fn parameter(
-    file: &Arc<File>,
-    column: &ColumnChunkMetaData,
-    rows: usize,
-    row: usize,
-) -> Result<Option<(String, f64)>, ParquetError> {
-    if column.column_type() != Type::DOUBLE {
-        return Ok(None);
-    }
-    let pages = SerializedPageReader::new(Arc::clone(file), column, rows, None)?;
-    let mut reader = ColumnReaderImpl::<DoubleType>::new(column.column_descr_ptr(), Box::new(pages));
-    let (mut levels, mut numbers) = (Vec::new(), Vec::new());
-    reader.skip_records(row)?;
-    reader.read_records(1, Some(&mut levels), None, &mut numbers)?;
-    Ok(numbers.first().map(|number| (column.column_descr().name().to_owned(), *number)))
 }

@@ -14,7 +14,7 @@ sweep-write-sample = for a sample write it as KEY=FROM..TO, such as "link.crank.
 sweep-wrong-count = N is `{ $count }`: write a whole number from 1
 sweep-no-number = `{ $text }` does not begin with a finite number
 sweep-count = `{ $key }` is a count, it has no unit
-sweep-text = `{ $key }` is a text, not a number
+sweep-text = `{ $key }` is a text, not a number: list texts, KEY=A,B
 sweep-takes-no-number = `{ $key }` takes no number
 sweep-different-ends = FROM and TO are different quantities
 sweep-measure-health = least determinant of all groups over the positions, and where
@@ -52,3 +52,20 @@ sweep-other-scene = the scene was a different one
 sweep-other-origin = `{ $key }` was { $was } and is { $is }
 sweep-nothing = nothing
 sweep-measure-plain = least and greatest value, mean and root mean square of what a position has under this key in the JSON
+sweep-tie-to-texts = it follows `{ $key }`, whose values are texts: tie it to a number
+sweep-at-line = { $file }, line { $line }: { $problem }
+sweep-at-row = { $file }, row { $row }: { $problem }
+sweep-table-column = column of { $file }: { $problem }
+sweep-table-cells = it has { $cells } cells, the header has { $columns }
+sweep-table-size = a table of points has at most { $most } cells
+sweep-table-empty = { $file } has no points: its columns are keys of the scene, its rows are points
+sweep-uneven-lists = the parameters have different numbers of values: { $counts }
+sweep-other-shape = `{ $word }` changes the links, the groups or the columns: sweep it as a scene of its own
+sweep-write-where = write it as COLUMN > VALUE, with <, <=, > or >=, such as "transmission > 40 deg"
+sweep-where-several = it has several columns, name one: { $columns }
+sweep-where-bare = write a number without a unit: it is in the unit at the end of `{ $column }`
+sweep-status-ok = ok
+sweep-status-no-assembly = no assembly
+sweep-status-no-solution = no solution
+sweep-status-error = error
+sweep-status-refused = refused

@@ -14,7 +14,7 @@ sweep-write-sample = для выборки пишите КЛЮЧ=ОТ..ДО, н�
 sweep-wrong-count = N — это `{ $count }`: пишите целое число от 1
 sweep-no-number = `{ $text }`: в начале нет конечного числа
 sweep-count = `{ $key }` — количество, у него нет единицы
-sweep-text = `{ $key }` — текст, а не число
+sweep-text = `{ $key }` — текст, а не число: перечислите тексты, КЛЮЧ=A,B
 sweep-takes-no-number = `{ $key }` не принимает числа
 sweep-different-ends = ОТ и ДО — разные величины
 sweep-measure-health = наименьший определитель всех групп в положениях и где он
@@ -52,3 +52,20 @@ sweep-other-scene = сцена была другой
 sweep-other-origin = `{ $key }`: было { $was }, теперь { $is }
 sweep-nothing = ничего
 sweep-measure-plain = наименьшее и наибольшее значение, среднее и среднеквадратичное всего, что положение имеет под этим ключом в JSON
+sweep-tie-to-texts = он зависит от `{ $key }`, чьи значения — тексты: свяжите его с числом
+sweep-at-line = { $file }, строка { $line }: { $problem }
+sweep-at-row = { $file }, строка таблицы { $row }: { $problem }
+sweep-table-column = столбец в { $file }: { $problem }
+sweep-table-cells = ячеек { $cells }, а в заголовке их { $columns }
+sweep-table-size = в таблице точек не более { $most } ячеек
+sweep-table-empty = в { $file } нет точек: её столбцы — ключи сцены, строки — точки
+sweep-uneven-lists = у параметров разное количество значений: { $counts }
+sweep-other-shape = `{ $word }` меняет звенья, группы или столбцы: перебирайте его как отдельную сцену
+sweep-write-where = пишите СТОЛБЕЦ > ЗНАЧЕНИЕ, со знаком <, <=, > или >=, например "transmission > 40 deg"
+sweep-where-several = у него несколько столбцов, назовите один: { $columns }
+sweep-where-bare = пишите число без единицы: оно в единице, стоящей в конце `{ $column }`
+sweep-status-ok = рассчитано
+sweep-status-no-assembly = не собирается
+sweep-status-no-solution = нет решения
+sweep-status-error = ошибка
+sweep-status-refused = отклонено

@@ -14,7 +14,7 @@ sweep-write-sample = для вибірки пишіть КЛЮЧ=ВІД..ДО, �
 sweep-wrong-count = N — це `{ $count }`: пишіть ціле число від 1
 sweep-no-number = `{ $text }`: на початку немає скінченного числа
 sweep-count = `{ $key }` — кількість, вона не має одиниці
-sweep-text = `{ $key }` — текст, а не число
+sweep-text = `{ $key }` — текст, а не число: перелічіть тексти, КЛЮЧ=A,B
 sweep-takes-no-number = `{ $key }` не приймає числа
 sweep-different-ends = ВІД і ДО — різні величини
 sweep-measure-health = найменший визначник усіх груп у положеннях і де він
@@ -52,3 +52,20 @@ sweep-other-scene = сцена була інша
 sweep-other-origin = `{ $key }`: було { $was }, тепер { $is }
 sweep-nothing = нічого
 sweep-measure-plain = найменше й найбільше значення, середнє та середньоквадратичне всього, що положення має під цим ключем у JSON
+sweep-tie-to-texts = він залежить від `{ $key }`, чиї значення — тексти: зв'яжіть його з числом
+sweep-at-line = { $file }, рядок { $line }: { $problem }
+sweep-at-row = { $file }, рядок таблиці { $row }: { $problem }
+sweep-table-column = стовпець у { $file }: { $problem }
+sweep-table-cells = клітинок { $cells }, а в заголовку їх { $columns }
+sweep-table-size = у таблиці точок щонайбільше { $most } клітинок
+sweep-table-empty = у { $file } немає точок: її стовпці — ключі сцени, рядки — точки
+sweep-uneven-lists = параметри мають різну кількість значень: { $counts }
+sweep-other-shape = `{ $word }` змінює ланки, групи або стовпці: перебирайте його як окрему сцену
+sweep-write-where = пишіть СТОВПЕЦЬ > ЗНАЧЕННЯ, зі знаком <, <=, > або >=, наприклад "transmission > 40 deg"
+sweep-where-several = він має кілька стовпців, назвіть один: { $columns }
+sweep-where-bare = пишіть число без одиниці: воно в одиниці, що стоїть у кінці `{ $column }`
+sweep-status-ok = обчислено
+sweep-status-no-assembly = не складається
+sweep-status-no-solution = немає розв'язку
+sweep-status-error = помилка
+sweep-status-refused = відхилено

@@ -1,16 +1,22 @@
 //! A parameter, found in the scene: its values as text and in SI.
 
+use std::collections::BTreeMap;
 use std::ops::Range;
+use std::sync::Arc;
 
 use assur_mechanism::{Mechanism, Step};
 use assur_number::elementary;
-use assur_scene::edit::{ParsedText, TextPlace, decimal, split};
-use assur_scene::{Dimension, Reading, SceneNumber, Unit, quantity};
+use assur_scene::edit::{ParsedText, TextPlace, quoted, split};
+use assur_scene::{Dimension, Reading, SceneNumber, Unit, UnitError, quantity};
 use assur_words::{Describe, Text, joined, name, quantity as quantity_of, text, unit as quantity_unit};
-use strum::VariantArray;
 
-use crate::vary::{Range as Ends, between};
-use crate::{SweepError, Tie, Vary};
+use crate::column::suffix;
+use crate::following::Following;
+use crate::vary::{Written, between};
+use crate::{SweepError, Vary};
+
+/// Most listed values that a message repeats; of more it has the least and the greatest.
+const MOST_SHOWN: usize = 12;
 
 /// A parameter that was found in the scene.
 #[derive(Debug, Clone)]
@@ -27,33 +33,28 @@ pub(crate) struct Axis {
     pub(crate) from: f64,
     /// Last value.
     pub(crate) to: f64,
-    /// How many values a grid has.
-    pub(crate) count: usize,
-    /// The values, where they are listed; `from` and `to` are then the least and the greatest.
-    listed: Vec<f64>,
-    /// The parameter that this one follows; `None` for one of its own.
-    pub(crate) follows: Option<Following>,
+    pub(crate) values: Values,
     /// The unit of the values; empty for SI.
-    name: String,
-    /// That unit; `None` for a count.
+    pub(crate) name: String,
+    /// That unit; `None` for a count and for texts.
     unit: Option<Unit>,
-    /// What it measures; `None` for a count.
-    measures: Option<Dimension>,
+    /// What it measures; `None` for a count and for texts.
+    pub(crate) measures: Option<Dimension>,
     /// The value of the scene, number and unit.
     written: Option<(f64, String)>,
 }
 
-/// How a parameter follows another one.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Following {
-    /// The number of that parameter.
-    pub(crate) leader: usize,
-    /// By which its value is multiplied.
-    pub(crate) factor: f64,
-    /// What is added, in the unit of that parameter.
-    pub(crate) added: f64,
-    /// The tie behind the key, as it is written.
-    pub(crate) text: String,
+/// The values of a parameter.
+#[derive(Debug, Clone)]
+pub(crate) enum Values {
+    /// So many, equally spaced.
+    Spaced(usize),
+    /// These; the first and the last value of the parameter are then the least and the greatest.
+    Listed(Vec<f64>),
+    /// Texts, each once, of which the values of the parameter are indices; and the values in their order.
+    Words(Arc<[String]>, Vec<usize>),
+    /// Those of another parameter.
+    Follow(Following),
 }
 
 /// A value of a range.
@@ -69,8 +70,11 @@ impl Axis {
         let key = vary.key.to_string();
         let fault = |problem: Text| SweepError::vary(&key, problem);
         let found = document.find(&vary.key).map_err(fault)?;
-        let values = ends(vary).map_err(fault)?;
         let numbers: Vec<_> = found.iter().filter_map(|place| scene.number(&place.span)).collect();
+        if takes_words(vary, &found, &numbers) {
+            return Ok(Self::of_words(key, &vary.values, found));
+        }
+        let values = ends(&vary.values).map_err(fault)?;
         let dimension = measured(vary, &found, &numbers, &values).map_err(fault)?;
         let values = in_one_unit(values, dimension).map_err(fault)?;
         let suffix = dimension.map(suffix).filter(|unit| !unit.is_empty());
@@ -78,96 +82,117 @@ impl Axis {
         let name = values[0].unit.clone();
         let unit = dimension.map(|dimension| Unit::of(&name, dimension)).transpose();
         let unit = unit.map_err(|error| fault(error.describe()))?;
-        let count = vary.range.count;
-        let numbers_written: Vec<f64> = values.iter().map(|value| value.number).collect();
-        let (from, to, listed) = if vary.range.listed.is_empty() {
-            (numbers_written[0], numbers_written[numbers_written.len() - 1], Vec::new())
-        } else {
-            let least = numbers_written.iter().copied().fold(f64::INFINITY, f64::min);
-            (least, numbers_written.iter().copied().fold(f64::NEG_INFINITY, f64::max), numbers_written)
+        let all: Vec<f64> = values.iter().map(|value| value.number).collect();
+        let extremes = [
+            all.iter().copied().fold(f64::INFINITY, f64::min),
+            all.iter().copied().fold(f64::NEG_INFINITY, f64::max),
+        ];
+        let ([from, to], values) = match &vary.values {
+            Written::Range { count, .. } => ([all[0], all[all.len() - 1]], Values::Spaced(*count)),
+            Written::Listed(_) | Written::Column(..) => (extremes, Values::Listed(all)),
         };
-        let written = found.first().and_then(|place| split(place.text.as_ref()?));
+        let is_word = |place: &TextPlace| place.text.as_deref().is_some_and(|text| split(text).is_none());
         Ok(Self {
             key,
             column,
-            replaces_words: found
-                .iter()
-                .any(|place| place.text.as_deref().is_some_and(|text| split(text).is_none())),
+            replaces_words: found.iter().any(is_word),
+            written: found.first().and_then(|place| split(place.text.as_ref()?)),
             spans: found.into_iter().map(|place| place.span).collect(),
             numbers: numbers.into_iter().cloned().collect(),
             from,
             to,
-            count,
-            listed,
-            follows: None,
+            values,
             name,
             unit,
             measures: dimension,
-            written,
         })
     }
 
-    /// Finds a key that follows one of the parameters; its ends follow from theirs.
-    pub(crate) fn tied(
-        tie: &Tie,
-        parameters: &[Self],
-        document: &ParsedText<'_>,
-        scene: &Reading,
-    ) -> Result<Self, SweepError> {
-        let follows = tie.follows.to_string();
-        let leader = parameters.iter().position(|axis| axis.key == follows);
-        let leader = leader.ok_or_else(|| {
-            SweepError::vary(tie.key.to_string(), text!("sweep-tie-not-varied", key = name(follows)))
-        })?;
-        let factor = tie.factor.unwrap_or(1.0);
-        let added = parameters[leader].added(tie)?;
-        let end = |number: f64| {
-            End { number: decimal(number * factor + added), unit: parameters[leader].name.clone() }.text()
+    /// A parameter whose values are texts.
+    fn of_words(key: String, written: &Written, found: Vec<TextPlace>) -> Self {
+        let mut words: Vec<String> = Vec::new();
+        let mut numbered = BTreeMap::new();
+        let number = |word| {
+            *numbered.entry(word).or_insert_with(|| {
+                words.push(str::to_owned(word));
+                words.len() - 1
+            })
         };
-        let ends = [parameters[leader].from, parameters[leader].to].map(end);
-        let [from, to] = ends;
-        let range = Ends { from, to, count: 1, listed: Vec::new() };
-        let axis = Self::of(&Vary { key: tie.key.clone(), range }, document, scene)?;
-        let kinds = [axis.measures, parameters[leader].measures];
-        if let ([Some(own), Some(other)], None) = (kinds, tie.factor)
-            && own != other
-        {
-            let [own, other] = [own, other].map(|kind| kind.describe());
-            let key = name(parameters[leader].key.clone());
-            return Err(SweepError::vary(axis.key, text!("sweep-tie-other-quantity", own, key, other)));
+        let order: Vec<usize> = written.texts().into_iter().map(number).collect();
+        Self {
+            column: key.clone(),
+            key,
+            replaces_words: true,
+            written: None,
+            spans: found.into_iter().map(|place| place.span).collect(),
+            numbers: Vec::new(),
+            from: 0.0,
+            to: words.len().saturating_sub(1) as f64,
+            values: Values::Words(words.into(), order),
+            name: String::new(),
+            unit: None,
+            measures: None,
         }
-        let constant = tie.added.as_ref().map(|added| format!("+{added}")).unwrap_or_default();
-        let text = format!("{}*{factor}{constant}", parameters[leader].key);
-        Ok(Self { follows: Some(Following { leader, factor, added, text }), ..axis })
     }
 
-    /// What a tie adds to a multiple of this parameter, in the unit of its values.
-    fn added(&self, tie: &Tie) -> Result<f64, SweepError> {
-        let Some(added) = &tie.added else { return Ok(0.0) };
-        let si = match self.measures {
-            Some(dimension) => quantity(added, dimension).map_err(|error| error.describe()),
-            None => added.parse().map_err(|_| text!("sweep-no-number", text = name(added.clone()))),
-        };
-        let si: f64 = si.map_err(|problem| SweepError::vary(tie.key.to_string(), problem))?;
-        Ok(si / self.si(1.0))
+    /// The parameter as one that follows another.
+    pub(crate) fn following(self, following: Following) -> Self {
+        Self { values: Values::Follow(following), ..self }
+    }
+
+    /// The parameter that this one follows, and how; `None` for one of its own.
+    pub(crate) fn follows(&self) -> Option<&Following> {
+        if let Values::Follow(following) = &self.values { Some(following) } else { None }
+    }
+
+    /// The texts that are its values; `None` of numbers.
+    pub(crate) fn words(&self) -> Option<&Arc<[String]>> {
+        if let Values::Words(words, _) = &self.values { Some(words) } else { None }
+    }
+
+    /// The text of a value.
+    fn word(&self, number: f64) -> Option<&str> {
+        self.words().and_then(|words| word(words, number))
+    }
+
+    /// How many values a grid has.
+    pub(crate) fn count(&self) -> usize {
+        match &self.values {
+            Values::Spaced(count) => *count,
+            Values::Listed(values) => values.len(),
+            Values::Words(_, order) => order.len(),
+            Values::Follow(_) => 1,
+        }
+    }
+
+    /// Values between which the others lie; of texts all of them.
+    pub(crate) fn compared(&self) -> Vec<f64> {
+        let all = |words: &Arc<[String]>| (0..words.len()).map(|index| index as f64).collect();
+        self.words().map_or_else(|| vec![self.from, self.to], all)
     }
 
     /// A value of a grid by its number.
     pub(crate) fn value(&self, index: usize) -> f64 {
-        let listed = self.listed.get(index).copied();
-        listed.unwrap_or_else(|| between(self.from, self.to, index, self.count))
+        match &self.values {
+            Values::Listed(values) => values.get(index).copied().unwrap_or(self.to),
+            Values::Words(_, order) => order.get(index).map_or(self.to, |index| *index as f64),
+            Values::Spaced(_) | Values::Follow(_) => between(self.from, self.to, index, self.count()),
+        }
     }
 
     /// The range as it is given: `1 kg..5 kg:9`, `1 kg,2 kg`; of a sample without the count.
     pub(crate) fn range(&self, has_count: bool) -> String {
-        if let Some(following) = &self.follows {
-            return following.text.clone();
+        match &self.values {
+            Values::Follow(following) => following.text.clone(),
+            Values::Listed(_) | Values::Words(..) => {
+                let each = (0..self.count()).map(|index| self.shown(self.value(index)));
+                each.collect::<Vec<_>>().join(",")
+            }
+            Values::Spaced(count) => {
+                let count = if has_count { format!(":{count}") } else { String::new() };
+                format!("{}..{}{count}", self.shown(self.from), self.shown(self.to))
+            }
         }
-        if !self.listed.is_empty() {
-            return self.listed.iter().map(|value| self.shown(*value)).collect::<Vec<_>>().join(",");
-        }
-        let count = if has_count { format!(":{}", self.count) } else { String::new() };
-        format!("{}..{}{count}", self.shown(self.from), self.shown(self.to))
     }
 
     /// Whether both set a number of the scene.
@@ -191,7 +216,8 @@ impl Axis {
     /// Whether the mechanism with any value of the range is made by setting numbers.
     pub(crate) fn is_free(&self) -> bool {
         let ends = [self.from, self.to].map(|end| self.si(end));
-        self.numbers.iter().all(|number| number.is_free() && ends.iter().all(|end| number.admits(*end)))
+        let is_free = |number: &SceneNumber| number.is_free() && ends.iter().all(|end| number.admits(*end));
+        self.words().is_none() && self.numbers.iter().all(is_free)
     }
 
     /// Sets a value, SI, in a mechanism of the scene.
@@ -208,22 +234,28 @@ impl Axis {
 
     /// A value as it is written into the scene.
     pub(crate) fn toml(&self, number: f64) -> String {
-        if self.name.is_empty() { number.to_string() } else { format!("\"{number} {}\"", self.name) }
+        match self.word(number) {
+            Some(word) => quoted(word),
+            None if self.name.is_empty() => number.to_string(),
+            None => format!("\"{number} {}\"", self.name),
+        }
     }
 
     /// What is said of ends without a unit that are SI, where in the unit of the scene they would be nearer to the value of the scene.
     pub(crate) fn warning(&self) -> Option<Text> {
         let (own, written) =
-            self.written.as_ref().filter(|_| self.name.is_empty() && self.follows.is_none())?;
+            self.written.as_ref().filter(|_| self.name.is_empty() && self.follows().is_none())?;
         let (measures, end) = (self.measures?, self.from.abs().max(self.to.abs()));
         let unit = Unit::of(written, measures).ok().filter(|_| !written.is_empty())?;
         let away = |value: f64| elementary::ln((value / unit.si(*own)).abs()).abs();
         (away(unit.si(end)) < away(end)).then(|| {
-            let listed =
-                self.listed.iter().map(|number| End { number: *number, unit: written.clone() }.text());
-            let ends = [self.from, self.to].map(|number| End { number, unit: written.clone() }.text());
-            let values =
-                if self.listed.is_empty() { ends.join("..") } else { listed.collect::<Vec<_>>().join(",") };
+            let shown = |number: &f64| End { number: *number, unit: written.clone() }.text();
+            let values = match &self.values {
+                Values::Listed(values) if values.len() <= MOST_SHOWN => {
+                    values.iter().map(shown).collect::<Vec<_>>().join(",")
+                }
+                _ => [self.from, self.to].map(|end| shown(&end)).join(".."),
+            };
             text!(
                 "sweep-other-unit",
                 unit = quantity_unit(measures.si().replace('*', "·")),
@@ -243,17 +275,39 @@ impl Axis {
 
     /// A value as its range has it: `120 mm`.
     pub(crate) fn shown(&self, number: f64) -> String {
-        End { number, unit: self.name.clone() }.text()
+        let text = || End { number, unit: self.name.clone() }.text();
+        self.word(number).map_or_else(text, str::to_owned)
     }
 }
 
-/// The ends or the listed values; where some have a unit, and all the same, it applies to the others too.
-fn ends(vary: &Vary) -> Result<Vec<End>, Text> {
-    let end = |end: &str| match split(end) {
+/// The text with a number that is its index.
+pub(crate) fn word(words: &[String], number: f64) -> Option<&str> {
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "an index; what is none has no text"
+    )]
+    words.get(number as usize).map(String::as_str)
+}
+
+/// Whether the values are texts: the key takes no number, or has a text, and none is given.
+fn takes_words(vary: &Vary, found: &[TextPlace], numbers: &[&SceneNumber]) -> bool {
+    vary.values.is_list()
+        && found.iter().all(|place| place.text.is_some())
+        && (numbers.is_empty() || vary.values.texts().into_iter().all(|text| split(text).is_none()))
+}
+
+/// The ends or the listed values; where some have a unit, and all the same, it applies to the others too. A cell of a table has
+/// a unit of its own or none.
+fn ends(written: &Written) -> Result<Vec<End>, Text> {
+    let end = |(index, end): (usize, &str)| match split(end) {
         Some((number, unit)) => Ok(End { number, unit }),
-        None => Err(text!("sweep-no-number", text = name(end.to_owned()))),
+        None => Err(written.located(index, text!("sweep-no-number", text = name(end.to_owned())))),
     };
-    let mut all = vary.range.written().into_iter().map(end).collect::<Result<Vec<_>, _>>()?;
+    let mut all = written.texts().into_iter().enumerate().map(end).collect::<Result<Vec<_>, _>>()?;
+    if matches!(written, Written::Column(..)) {
+        return Ok(all);
+    }
     let mut units: Vec<String> =
         all.iter().map(|end| end.unit.clone()).filter(|unit| !unit.is_empty()).collect();
     units.dedup();
@@ -294,8 +348,10 @@ fn measured(
         ([], []) if ends.iter().all(is_bare) => Ok(None),
         ([], []) => Err(text!("sweep-count", key = &vary.key)),
         ([], [kind, ..]) => {
-            let wrong = ends.iter().find_map(|end| quantity(&end.text(), *kind).err());
-            Err(wrong.map_or_else(|| text!("sweep-different-ends"), |error| error.describe()))
+            let fault = |(index, end): (usize, &End)| Some((index, quantity(&end.text(), *kind).err()?));
+            let wrong = ends.iter().enumerate().filter(|(_, end)| !is_bare(end)).find_map(fault);
+            let told = |(index, error): (usize, UnitError)| vary.values.located(index, error.describe());
+            Err(wrong.map_or_else(|| text!("sweep-different-ends"), told))
         }
         _ => Err(text!("sweep-several-quantities")),
     }
@@ -314,17 +370,4 @@ fn in_one_unit(mut values: Vec<End>, dimension: Option<Dimension>) -> Result<Vec
         dimension.si().clone_into(&mut value.unit);
     }
     Ok(values)
-}
-
-/// The unit as the end of a column's name, `kgm2`, `m_per_s`; empty for a plain number.
-pub(crate) fn suffix(dimension: Dimension) -> String {
-    dimension.si().replace('/', "_per_").replace(['*', '^'], "")
-}
-
-/// Every kind of quantity with the end of the names of its columns, the longest first.
-pub fn suffixes() -> Vec<(Dimension, String)> {
-    let mut all: Vec<_> = Dimension::VARIANTS.iter().map(|kind| (*kind, suffix(*kind))).collect();
-    all.retain(|(_, suffix)| !suffix.is_empty());
-    all.sort_by_key(|(_, suffix)| std::cmp::Reverse(suffix.len()));
-    all
 }

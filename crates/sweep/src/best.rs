@@ -1,9 +1,9 @@
 //! The best point of a sweep: the one with the least or the greatest value of a column.
 
-use assur_words::{list, name, text};
+use assur_words::text;
 
 use crate::SweepError;
-use crate::rows::{Columns, Rows, Status};
+use crate::rows::{Columns, ReadRow, Rows, Status};
 
 /// Which point is the best.
 ///
@@ -51,24 +51,24 @@ impl Best {
     ///
     /// No column of numbers has the name; the message has the nearest names.
     pub fn find(&self, columns: &Columns) -> Result<usize, SweepError> {
-        let found = columns.names.iter().position(|own| *own == self.column);
-        found.filter(|index| !columns.is_text(*index)).ok_or_else(|| {
-            let known = columns.names.iter().enumerate().filter(|(index, _)| !columns.is_text(*index));
-            let known: Vec<&str> = known.map(|(_, own)| own.as_str()).collect();
-            let near = assur_scene::nearest(&self.column, known.iter().copied());
-            let offered = near.map_or(known, |near| vec![near]);
-            let columns = list(offered.into_iter().map(|own| name(own.to_owned())));
-            SweepError::Request(text!("sweep-no-column", column = name(self.column.clone()), columns))
-        })
+        columns.find(&self.column)
     }
 
-    /// The best of some rows: points that failed and cells without a number don't count, and of equal values the first does.
+    /// The best of some rows that are written: points that failed and cells without a number don't count, and of equal values the first
+    /// does.
     pub fn of(&self, rows: &Rows, column: usize) -> Option<Judged> {
-        let values =
-            (0..rows.len()).filter(|row| rows.status(*row).is_some_and(|(status, _)| status == Status::Ok));
-        let values = values
-            .filter_map(|row| Some(Judged { point: rows.first + row, value: rows.number(row, column)? }));
-        values.fold(None, |best, one| self.better(best, Some(one)))
+        let judged = rows.written().filter_map(|row| {
+            let (status, _) = rows.status(row)?;
+            let read = ReadRow { point: rows.first + row, status, value: rows.number(row, column) };
+            Self::judged(&read)
+        });
+        judged.fold(None, |best, one| self.better(best, Some(one)))
+    }
+
+    /// A row that was written earlier, with its value; `None` where it does not count.
+    pub fn judged(row: &ReadRow) -> Option<Judged> {
+        let value = row.value.filter(|_| row.status == Status::Ok)?;
+        Some(Judged { point: row.point, value })
     }
 
     /// The better of two points, the first of which comes earlier.

@@ -17,6 +17,10 @@ use crate::{Measure, SweepError, Target};
 /// A column of a measure.
 #[derive(Debug, Clone)]
 pub(crate) struct Value {
+    /// The name of its measure.
+    measure: &'static str,
+    /// Whether it is where another one is found.
+    is_place: bool,
     pub(crate) name: String,
     pub(crate) of: usize,
     pub(crate) find: Find,
@@ -119,6 +123,12 @@ impl Layout {
         Ok(to.layout)
     }
 
+    /// The numbers of the values of a measure, without the places at which they are found.
+    pub(crate) fn values_of<'a>(&'a self, measure: &'a str) -> impl Iterator<Item = usize> + 'a {
+        let own = move |(_, value): &(usize, &Value)| value.measure == measure && !value.is_place;
+        self.values.iter().enumerate().filter(own).map(|(number, _)| number)
+    }
+
     /// Whether one of these has columns.
     pub(crate) fn asks(&self, wanted: &[Of]) -> bool {
         self.asked.iter().any(|of| wanted.contains(of))
@@ -165,7 +175,7 @@ impl<'a> Builder<'a> {
                 Source::Statistic(what) => self.gather(what),
                 Source::Nth(nth) => nth,
             };
-            for MeasureColumn { word, unit, find, .. } in columns {
+            for MeasureColumn { measure, word, unit, find, .. } in columns {
                 let unit = match *unit {
                     In::Unit(unit) => unit,
                     In::Coordinate => catalogue::unit(&self.schema, Column::COORDINATE),
@@ -173,7 +183,8 @@ impl<'a> Builder<'a> {
                     In::Quantity(of) => catalogue::unit(&self.schema, Column::of(of, column.owner)),
                 };
                 let name = unit.column(format!("{prefix}{word}"));
-                self.layout.values.push(Value { name, of, find: *find });
+                let is_place = word.ends_with("_at");
+                self.layout.values.push(Value { measure, is_place, name, of, find: *find });
             }
         }
     }
@@ -298,7 +309,8 @@ impl<'a> Builder<'a> {
             for (word, find) in PLAIN {
                 if let Some(name) = catalogue::csv_of(schema, *column, word) {
                     let of = self.gather(Gathered::Plain(*column));
-                    self.layout.values.push(Value { name, of, find });
+                    // Of these, conditions name the columns.
+                    self.layout.values.push(Value { measure: "", is_place: false, name, of, find });
                 }
             }
         }

@@ -7,16 +7,19 @@
 //!
 //! A parameter is a dotted path into the scene with a range: `link.crank.mass`, `ground.points.C[1]`, `slide[0].angle`,
 //! `force.cutting.value`. The ends of a range are quantities; if only one has a unit, it applies to both, and without a
-//! unit they are SI. The points are a grid, of which the last parameter changes fastest, or a sample ([`Points`]).
+//! unit they are SI. The points are a grid, of which the last parameter changes fastest, a sample, or those of a table ([`Points`]).
 //!
 //! # The columns
 //!
-//! They follow from the scene and the [`Measure`]s before the first point is calculated: the parameters; `status`, `message`
+//! They follow from the scene and the [`Measure`]s before the first point is calculated: `row`, the number of the point from 0; the
+//! parameters; `status`, `message`
 //! (the first failure in words), `failed_positions`; the columns of the measures; `motor`. They are in SI, angles in rad, and
 //! the unit is part of the name. A cell is empty where something does not apply, and all values are where a
 //! position fails: extremes over a part are none. Extremes and means are over the positions of the scene, of equal ones the first
 //! counts, or, with [`SweepRequest::between`], between them too, as a report has them. Strokes, time ratios, transfer functions,
 //! speeds and the shaking force, where asked for, are always those between positions.
+//!
+//! Rows that don't hold every [`Condition`] are calculated and not [written](Rows::written).
 //!
 //! # How a point is calculated
 //!
@@ -29,7 +32,10 @@
 mod axis;
 mod best;
 mod between;
+mod column;
+mod condition;
 mod error;
+mod following;
 mod layout;
 mod measure;
 mod measured;
@@ -39,18 +45,24 @@ mod points;
 mod positions;
 mod reach;
 mod rows;
+mod shape;
 mod sweep;
+mod table;
+mod tally;
 mod variants;
 mod vary;
 
-pub use axis::suffixes;
 pub use best::{Best, Judged};
+pub use column::parameter;
+pub use condition::Condition;
 pub use error::SweepError;
 pub use measure::{MEASURES, Measure};
 pub use origin::{Origin, difference};
 pub use points::Points;
-pub use rows::{Columns, Rows, Status, Tally};
+pub use rows::{Columns, ReadRow, Rows, Status};
 pub use sweep::{MOST_POINTS, Sweep, SweepRequest};
+pub use table::{Numbering, PointTable};
+pub use tally::Tally;
 pub use vary::{Target, Tie, Vary};
 
 assur_words::resources!();

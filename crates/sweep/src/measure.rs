@@ -242,6 +242,11 @@ impl Measure {
         Ok(own.chain(keys.into_iter().map(columns)).collect())
     }
 
+    /// The measure with all its columns.
+    pub(crate) fn in_full(self) -> Self {
+        Self { whole: true, ..self }
+    }
+
     /// Its name on the command line.
     pub(crate) fn full_name(&self) -> String {
         format!("{}{}", if self.is_plain { POSITIONS } else { "" }, self.name)

@@ -50,6 +50,9 @@ impl<'a> Worker<'a> {
         for index in points {
             let ended = self.calculate(index);
             rows.push(&self.parameters, &self.values, ended);
+            if !self.sweep.holds(&rows, rows.len() - 1) {
+                rows.leave_out();
+            }
         }
         rows
     }
@@ -79,7 +82,8 @@ impl<'a> Worker<'a> {
         for value in &self.sweep.layout.values {
             let number = (value.find)(&self.found, value.of);
             if number.is_some_and(|number| !number.is_finite()) {
-                let column = name(self.sweep.columns.value_name(self.values.len()).to_owned());
+                let columns = &self.sweep.columns;
+                let column = name(columns.names[columns.of_value(self.values.len())].clone());
                 self.values.clear();
                 let message = text!("sweep-not-finite", column);
                 return Err(Failure { status: Status::Error, message, failed: Some(0) });

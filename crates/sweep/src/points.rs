@@ -21,14 +21,17 @@ pub enum Points {
         /// Another seed gives other points, which are as good.
         seed: u32,
     },
+    /// Row by row: the first values of all parameters, then the second ones; all have equally many.
+    Table,
 }
 
 impl Points {
-    /// How many there are; `None` beyond the greatest number.
-    pub(crate) fn count(self, counts: impl Iterator<Item = usize>) -> Option<usize> {
+    /// How many there are of parameters with these numbers of values; `None` beyond the greatest number.
+    pub(crate) fn count(self, mut counts: impl Iterator<Item = usize>) -> Option<usize> {
         match self {
-            Self::Grid => counts.into_iter().try_fold(1_usize, usize::checked_mul),
+            Self::Grid => counts.try_fold(1_usize, usize::checked_mul),
             Self::Sample { count, .. } => Some(count),
+            Self::Table => counts.min(),
         }
     }
 
@@ -37,22 +40,28 @@ impl Points {
         match self {
             Self::Grid => {
                 let mut rest = index;
-                for (axis, out) in axes.iter().zip(&mut *out).rev().filter(|(axis, _)| axis.follows.is_none())
+                for (axis, out) in
+                    axes.iter().zip(&mut *out).rev().filter(|(axis, _)| axis.follows().is_none())
                 {
-                    *out = axis.value(rest % axis.count);
-                    rest /= axis.count;
+                    *out = axis.value(rest % axis.count());
+                    rest /= axis.count();
+                }
+            }
+            Self::Table => {
+                for (axis, out) in axes.iter().zip(&mut *out) {
+                    *out = axis.value(index);
                 }
             }
             Self::Sample { seed, .. } => {
                 for ((axis, out), dimension) in
-                    axes.iter().zip(&mut *out).filter(|(axis, _)| axis.follows.is_none()).zip(0..)
+                    axes.iter().zip(&mut *out).filter(|(axis, _)| axis.follows().is_none()).zip(0..)
                 {
                     *out = axis.from + (axis.to - axis.from) * fraction(index, dimension, seed);
                 }
             }
         }
         for (index, axis) in axes.iter().enumerate() {
-            if let Some(following) = &axis.follows {
+            if let Some(following) = axis.follows() {
                 out[index] = decimal(following.factor * out[following.leader] + following.added);
             }
         }

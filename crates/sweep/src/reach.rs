@@ -52,10 +52,14 @@ impl Reach {
             || base.balance.is_some();
         reach.everywhere = false;
         for (index, axis) in axes.iter().enumerate() {
-            numbers[index] = axis.to;
-            let Ok(other) = variants.at(axes, &numbers) else { return Self { everywhere: true, ..reach } };
+            for number in axis.compared().into_iter().skip(1) {
+                numbers[index] = number;
+                let Ok(other) = variants.at(axes, &numbers) else {
+                    return Self { everywhere: true, ..reach };
+                };
+                reach.compare(&first, &other);
+            }
             numbers[index] = axis.from;
-            reach.compare(&first, &other);
         }
         reach.spread(base);
         reach

@@ -6,19 +6,22 @@ use std::sync::mpsc::{Receiver, channel, sync_channel};
 use std::sync::{Arc, Mutex, PoisonError};
 
 use assur_analysis::Options;
+use assur_mechanism::Mechanism;
 use assur_number::elementary;
 use assur_scene::edit::ParsedText;
 use assur_words::{Describe, Text, list, name, number, text};
 
 use crate::axis::Axis;
+use crate::condition::{Test, with_named};
 use crate::layout::Layout;
 use crate::measure::Measure;
 use crate::point::Worker;
 use crate::points::MOST_SAMPLED;
 use crate::reach::Reach;
-use crate::rows::{Columns, Rows};
+use crate::rows::{Columns, Rows, Status};
+use crate::shape::same_shape;
 use crate::variants::Variants;
-use crate::{Points, SweepError, Target, Tie, Vary};
+use crate::{Condition, Points, SweepError, Target, Tie, Vary};
 
 /// Most points of a sweep: at a million points a second they would take eleven days.
 pub const MOST_POINTS: usize = 1_000_000_000_000;
@@ -55,6 +58,8 @@ pub struct SweepRequest {
     pub measures: Vec<Measure>,
     /// Whether extremes, means and root mean squares are found between the positions too, as a report has them.
     pub between: bool,
+    /// What written rows hold, all of it; a point without a solution holds none. A measure that one names is calculated.
+    pub conditions: Vec<Condition>,
     /// The methods.
     pub options: Options,
 }
@@ -69,6 +74,8 @@ pub struct Sweep {
     pub(crate) measures: Vec<Measure>,
     /// Whether extremes and means are found between the positions too.
     pub(crate) between: bool,
+    /// What written rows hold.
+    pub(crate) conditions: Vec<Test>,
     pub(crate) options: Options,
     /// The columns of its rows.
     pub columns: Arc<Columns>,
@@ -93,8 +100,9 @@ impl Sweep {
         if vary.is_empty() {
             return Err(SweepError::Request(text!("sweep-nothing-varied")));
         }
-        let SweepRequest { points, ties, targets, measures, between, options } = request;
+        let SweepRequest { points, ties, targets, measures, between, conditions, options } = request;
         let measures = if measures.is_empty() { Measure::defaults() } else { measures };
+        let measures = with_named(measures, &conditions);
         let count = count(points, vary)?;
         let document = ParsedText::of(scene);
         let axis = |vary| Axis::of(vary, &document, &reading);
@@ -102,24 +110,34 @@ impl Sweep {
         for tie in &ties {
             axes.push(Axis::tied(tie, &axes[..vary.len()], &document, &reading)?);
         }
-        for (index, axis) in axes.iter().enumerate() {
-            if let Some(same) = axes[..index].iter().find(|other| other.shares(axis)) {
-                let [first, second] = [same, axis].map(|axis| name(axis.key.clone()));
-                return Err(SweepError::Request(text!("sweep-twice", first, second)));
-            }
-        }
+        refuse_twice(&axes)?;
         let variants = Variants::of(file_name, scene, reading.mechanism, &axes);
         let richest = variants.richest(&axes).unwrap_or_else(|| variants.base.clone());
         let reach = Reach::of(&richest, &variants, &axes);
-        let layout = Layout::of(&richest, &options, reach, (&measures, &targets))?;
+        let layout = |of: &Mechanism| Layout::of(of, &options, reach.clone(), (&measures, &targets));
+        same_shape(&axes, &variants, &layout)?;
+        let layout = layout(&richest)?;
         let places = richest.points.iter().flat_map(|point| &point.places);
         let size = places.map(|place| elementary::hypot(place.at[0], place.at[1])).fold(0.0, f64::max);
         let of_units = axes.iter().filter_map(|axis| Some((axis.told(axis.from), axis.warning()?)));
         let warnings = of_units.chain(targets.iter().filter_map(|target| target.warning(size))).collect();
-        let parameters = axes.iter().map(|axis| axis.column.clone()).collect();
         let names = layout.values.iter().map(|value| value.name.clone()).collect();
-        let columns = Arc::new(Columns::new(parameters, names, layout.has_motor));
-        Ok(Self { axes, points, variants, layout, measures, between, options, columns, count, warnings })
+        let columns = Arc::new(Columns::new(&axes, names, layout.has_motor));
+        let tests = conditions.into_iter().map(|condition| condition.among(&columns, &layout));
+        let conditions = tests.collect::<Result<_, _>>()?;
+        Ok(Self {
+            axes,
+            points,
+            variants,
+            layout,
+            measures,
+            between,
+            conditions,
+            options,
+            columns,
+            count,
+            warnings,
+        })
     }
 
     /// The parameters and what follows them, with their ranges, one text each, as they are given: `link.crank.mass=1 kg..5 kg:9`.
@@ -131,6 +149,17 @@ impl Sweep {
     /// How many points there are.
     pub fn points(&self) -> usize {
         self.count
+    }
+
+    /// Whether some points are left out of what is written.
+    pub fn has_conditions(&self) -> bool {
+        !self.conditions.is_empty()
+    }
+
+    /// Whether a row is written: without conditions every one is, else those that are ok and hold them all.
+    pub(crate) fn holds(&self, rows: &Rows, row: usize) -> bool {
+        let is_ok = || rows.status(row).is_some_and(|(status, _)| status == Status::Ok);
+        self.conditions.is_empty() || is_ok() && self.conditions.iter().all(|test| test.holds(rows, row))
     }
 
     /// Rows of each part of a Parquet file of `points` rows, except the last part: few enough to keep in memory.
@@ -147,7 +176,8 @@ impl Sweep {
         start(part.saturating_sub(1))..start(part.min(parts))
     }
 
-    /// Calculates points of the sweep and hands on their rows block by block, in the order of the points. The rows do not
+    /// Calculates points of the sweep and hands on their rows block by block, in the order of the points, those that conditions leave
+    /// out among them. The rows do not
     /// depend on `threads`; `encode` is called in these threads, `accept` in the caller's, and an error of it ends the run.
     ///
     /// # Errors
@@ -261,6 +291,17 @@ impl Sweep {
     }
 }
 
+/// Refuses two parameters that are the same value of the scene.
+fn refuse_twice(axes: &[Axis]) -> Result<(), SweepError> {
+    for (index, axis) in axes.iter().enumerate() {
+        if let Some(same) = axes[..index].iter().find(|other| other.shares(axis)) {
+            let [first, second] = [same, axis].map(|axis| name(axis.key.clone()));
+            return Err(SweepError::Request(text!("sweep-twice", first, second)));
+        }
+    }
+    Ok(())
+}
+
 /// The number of points, within the limits.
 fn count(points: Points, vary: &[Vary]) -> Result<usize, SweepError> {
     if matches!(points, Points::Sample { .. }) && vary.len() > MOST_SAMPLED {
@@ -268,7 +309,12 @@ fn count(points: Points, vary: &[Vary]) -> Result<usize, SweepError> {
         return Err(SweepError::Request(many));
     }
     let most = number(MOST_POINTS);
-    Err(SweepError::Request(match points.count(vary.iter().map(|vary| vary.range.count)) {
+    let counts = vary.iter().map(|vary| vary.values.count());
+    if points == Points::Table && counts.clone().any(|count| count != vary[0].values.count()) {
+        let counts = list(counts.map(number));
+        return Err(SweepError::Request(text!("sweep-uneven-lists", counts)));
+    }
+    Err(SweepError::Request(match points.count(counts) {
         Some(points) if points <= MOST_POINTS => return Ok(points),
         Some(points) => text!("sweep-many-points", points = number(points), most),
         None => text!("sweep-uncounted-points", most),

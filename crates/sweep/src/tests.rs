@@ -2,11 +2,13 @@
 
 mod between;
 mod columns;
+mod conditions;
 mod grid;
 mod keys;
 mod measures;
 mod reports;
 mod sample;
+mod tables;
 mod variants;
 mod written;
 

@@ -1,10 +1,13 @@
 //! A parameter as a user writes it.
 
+use std::sync::Arc;
+
 use assur_mechanism::Key;
 use assur_number::elementary;
 use assur_scene::edit::decimal;
 use assur_words::{Text, joined, name, quantity, text};
 
+use crate::table::Places;
 use crate::{Points, SweepError};
 
 /// One parameter of a sweep: its key in the scene, and its values.
@@ -25,7 +28,7 @@ use crate::{Points, SweepError};
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Vary {
     pub(crate) key: Key,
-    pub(crate) range: Range,
+    pub(crate) values: Written,
 }
 
 impl Vary {
@@ -33,8 +36,8 @@ impl Vary {
     pub fn parse(text: &str, points: Points) -> Result<Self, SweepError> {
         let fault = |problem: Text| SweepError::vary(text, problem);
         let (key, range) = text.rsplit_once('=').unwrap_or((text, ""));
-        let range = parse_range(range, points).map_err(fault)?;
-        Ok(Self { key: Key::parse(key).map_err(fault)?, range })
+        let values = parse_values(range, points).map_err(fault)?;
+        Ok(Self { key: Key::parse(key).map_err(fault)?, values })
     }
 }
 
@@ -148,41 +151,57 @@ impl Target {
 
 /// The values of a parameter as they are written.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) struct Range {
-    /// First value.
-    pub(crate) from: String,
-    /// Last value.
-    pub(crate) to: String,
-    /// How many values of a grid, at least 1; of a sample 1.
-    pub(crate) count: usize,
-    /// All values, where they are listed; else none.
-    pub(crate) listed: Vec<String>,
+pub(crate) enum Written {
+    /// Equally spaced ones, both ends among them.
+    Range {
+        /// First value.
+        from: String,
+        /// Last value.
+        to: String,
+        /// How many values of a grid, at least 1; of a sample 1.
+        count: usize,
+    },
+    /// A list; where some have a unit, and all the same, it applies to the others too.
+    Listed(Vec<String>),
+    /// The cells of a column of a table, each with a unit of its own or in SI.
+    Column(Vec<String>, Arc<Places>),
 }
 
-impl Range {
-    /// What is written: the values of a list, or both ends.
-    pub(crate) fn written(&self) -> Vec<&str> {
-        if self.listed.is_empty() {
-            vec![&self.from, &self.to]
-        } else {
-            self.listed.iter().map(String::as_str).collect()
+impl Written {
+    /// The values of a list, or both ends.
+    pub(crate) fn texts(&self) -> Vec<&str> {
+        match self {
+            Self::Range { from, to, .. } => vec![from, to],
+            Self::Listed(values) | Self::Column(values, _) => values.iter().map(String::as_str).collect(),
         }
     }
+
+    /// How many values there are.
+    pub(crate) fn count(&self) -> usize {
+        match self {
+            Self::Range { count, .. } => *count,
+            Self::Listed(values) | Self::Column(values, _) => values.len(),
+        }
+    }
+
+    /// Whether each value is written.
+    pub(crate) fn is_list(&self) -> bool {
+        !matches!(self, Self::Range { .. })
+    }
+
+    /// What is wrong with one of the texts, with its place where it is a cell of a table.
+    pub(crate) fn located(&self, index: usize, problem: Text) -> Text {
+        if let Self::Column(_, places) = self { places.told(index, problem) } else { problem }
+    }
 }
 
-pub(crate) fn parse_range(range: &str, points: Points) -> Result<Range, Text> {
-    let wrong = || match points {
-        Points::Grid => text!("sweep-write-grid"),
-        Points::Sample { .. } => text!("sweep-write-sample"),
-    };
-    if let (Points::Grid, Some(listed)) = (points, listed(range)) {
-        let (from, to) = (listed[0].clone(), listed[listed.len() - 1].clone());
-        return Ok(Range { from, to, count: listed.len(), listed });
+fn parse_values(range: &str, points: Points) -> Result<Written, Text> {
+    let is_sample = matches!(points, Points::Sample { .. });
+    let wrong = || if is_sample { text!("sweep-write-sample") } else { text!("sweep-write-grid") };
+    if let (false, Some(listed)) = (is_sample, listed(range)) {
+        return Ok(Written::Listed(listed));
     }
-    let (ends, count) = match points {
-        Points::Grid => range.rsplit_once(':').ok_or_else(wrong)?,
-        Points::Sample { .. } => (range, "1"),
-    };
+    let (ends, count) = if is_sample { (range, "1") } else { range.rsplit_once(':').ok_or_else(wrong)? };
     let (from, to) = ends.split_once("..").ok_or_else(wrong)?;
     let (from, to) = (from.trim(), to.trim());
     if from.is_empty() || to.is_empty() || to.contains(':') {
@@ -190,7 +209,7 @@ pub(crate) fn parse_range(range: &str, points: Points) -> Result<Range, Text> {
     }
     let found: Option<usize> = count.trim().parse().ok().filter(|count| *count > 0);
     let count = found.ok_or_else(|| text!("sweep-wrong-count", count = name(count.trim().to_owned())))?;
-    Ok(Range { from: from.to_owned(), to: to.to_owned(), count, listed: Vec::new() })
+    Ok(Written::Range { from: from.to_owned(), to: to.to_owned(), count })
 }
 
 /// The values of a list, `90 mm,100 mm,125 mm`; `None` of what is none.

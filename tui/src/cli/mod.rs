@@ -21,6 +21,7 @@ mod shell;
 mod study;
 mod style;
 mod sweep;
+mod table;
 mod usage;
 
 use std::ffi::OsString;

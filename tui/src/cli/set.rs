@@ -12,6 +12,7 @@ use super::fault::{Fault, Status};
 use super::output::Output;
 use super::scene;
 use super::style::Style;
+use super::table::Table;
 use crate::files;
 
 #[derive(Debug, Clone, Args)]
@@ -21,7 +22,7 @@ pub(crate) struct SetArgs {
     /// Values by key, such as "link.crank.points.A=120 mm" or motion.speed=6.28; a number alone is SI
     #[arg(value_name = "KEY=VALUE", required_unless_present = "row")]
     values: Vec<String>,
-    /// The parameters of a row of a sweep, the first is 0: its number, and the file (*.csv or *.parquet)
+    /// The parameters of a row of a sweep: its number, as the column `row` has it, and the file (*.csv or *.parquet)
     #[arg(long, num_args = 2, value_names = ["N", "RESULT"])]
     row: Option<Vec<String>>,
     /// Write to this file instead of standard output
@@ -35,12 +36,16 @@ pub(crate) fn run(args: &SetArgs, style: Style) -> Result<Status, Fault> {
     let document = ParsedText::of(&text);
     let mut places: Vec<(TextPlace, String)> = Vec::new();
     if let Some([row, result]) = args.row.as_deref().and_then(|row| <&[String; 2]>::try_from(row).ok()) {
-        for (column, number) in parameters(row, Path::new(result))? {
-            let (found, dimension) = measured(&document, &column)?;
-            places.extend(found.into_iter().map(|place| {
-                let toml = in_unit_of(&place, number, dimension);
-                (place, toml)
-            }));
+        for (column, value) in parameters(row, Path::new(result))? {
+            let unknown =
+                |problem: Text| Fault::Other(text!("cli-set", value = name(column.clone()), problem));
+            let (key, dimension) = assur_sweep::parameter(&document, &column).map_err(unknown)?;
+            for place in document.find(&key).map_err(unknown)? {
+                let number = value.parse::<f64>().ok();
+                let toml =
+                    number.map_or_else(|| quoted(&value), |number| in_unit_of(&place, number, dimension));
+                places.push((place, toml));
+            }
         }
     }
     for value in &args.values {
@@ -86,47 +91,30 @@ fn in_unit_of(place: &TextPlace, number: f64, dimension: Option<Dimension>) -> S
     }
 }
 
-/// The places of a parameter that a column holds, and what it measures: its name is the key, with the unit where it has one.
-fn measured(document: &ParsedText<'_>, column: &str) -> Result<(Vec<TextPlace>, Option<Dimension>), Fault> {
-    let find = |key: &str| Key::parse(key).and_then(|key| document.find(&key));
-    let first = match find(column) {
-        Ok(places) => return Ok((places, None)),
-        Err(problem) => problem,
-    };
-    for (dimension, suffix) in assur_sweep::suffixes() {
-        if let Some(Ok(places)) = column.strip_suffix(&format!("_{suffix}")).map(find) {
-            return Ok((places, Some(dimension)));
-        }
-    }
-    Err(Fault::Other(text!("cli-set", value = name(column.to_owned()), problem = first)))
-}
-
-/// The parameters of a row of a sweep: names of the columns before `status`, and their numbers.
-fn parameters(row: &str, result: &Path) -> Result<Vec<(String, f64)>, Fault> {
+/// The parameters of a row of a sweep: names of the columns before `status`, and their values. Rows of earlier versions have no
+/// numbers, and are counted.
+fn parameters(row: &str, result: &Path) -> Result<Vec<(String, String)>, Fault> {
     let refused = |problem: Text| Fault::from(files::FileError::read(result, problem));
     let row: usize =
         row.parse().map_err(|_| Fault::Other(text!("cli-row-number", row = name(row.to_owned()))))?;
-    let missing = || refused(text!("cli-no-row", row = assur_words::number(row)));
-    if result.extension().is_some_and(|end| end.eq_ignore_ascii_case("parquet")) {
-        let file = std::fs::File::open(result)
-            .map_err(|error| files::FileError::read(result, assur_words::text_of(&error)))?;
-        let found = assur_parquet::sweep::parameters(file, row).map_err(Fault::told)?;
-        return found.ok_or_else(missing);
+    let mut table = Table::open(result)?;
+    if !table.is_result() {
+        return Err(refused(text!("cli-no-sweep")));
     }
-    let table = files::read(result)?;
-    let mut lines = table.trim_start_matches('\u{feff}').lines();
-    let cells = |line: &str| -> Vec<String> {
-        line.split(',').map(|cell| cell.trim_matches('"').to_owned()).collect()
-    };
-    let header = lines.next().map(cells).unwrap_or_default();
-    let count = header.iter().position(|name| name == "status").ok_or_else(|| {
-        let semicolons = header.iter().any(|cell| cell.contains(';'));
-        refused(if semicolons { text!("cli-semicolons") } else { text!("cli-no-sweep") })
-    })?;
-    let line = lines.nth(row).map(cells).ok_or_else(missing)?;
-    let numbers = line.iter().take(count).map(|cell| cell.parse::<f64>().ok());
-    let numbers = numbers.collect::<Option<Vec<_>>>().ok_or_else(|| refused(text!("cli-no-sweep")))?;
-    Ok(header.into_iter().zip(numbers).collect())
+    table.header.pop();
+    let is_numbered = table.header.first().is_some_and(|first| first == "row");
+    for (count, read) in table.rows.enumerate() {
+        let (_, mut cells) = read?;
+        let number = if is_numbered { cells.first().and_then(|cell| cell.parse().ok()) } else { Some(count) };
+        if number == Some(row) {
+            cells.truncate(table.header.len());
+            if cells.len() < table.header.len() || cells.iter().any(String::is_empty) {
+                return Err(refused(text!("cli-no-sweep")));
+            }
+            return Ok(table.header.into_iter().zip(cells).skip(usize::from(is_numbered)).collect());
+        }
+    }
+    Err(refused(text!("cli-no-row", row = assur_words::number(row))))
 }
 
 #[cfg(test)]

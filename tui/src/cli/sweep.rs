@@ -2,6 +2,7 @@
 
 mod lines;
 mod parts;
+mod summary;
 mod target;
 
 use std::fmt::Write;
@@ -11,8 +12,8 @@ use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 
 use assur_sweep::{
-    Best, Judged, MEASURES, Measure, Origin, Points, Sweep, SweepError, SweepRequest, Tally, Target, Tie,
-    Vary,
+    Best, Condition, Judged, MEASURES, Measure, Origin, PointTable, Points, Sweep, SweepError, SweepRequest,
+    Tally, Target, Tie, Vary,
 };
 use assur_words::{Describe, Told, number, text};
 use clap::Args;
@@ -22,9 +23,10 @@ use super::options::MethodArgs;
 use super::output::{self, Output};
 use super::scene;
 use super::style::Style;
+use super::table::Table;
 use crate::files::{self, FileError};
 use crate::lock;
-use crate::progress::ProgressLine;
+use crate::progress::{ProgressLine, clock};
 use target::{Form, begun, form};
 
 /// A sweep of so many points tells beforehand how much it will write.
@@ -45,8 +47,8 @@ fn columns() -> String {
     help + "  positions.KEY          least and greatest value, mean and root mean square of what a position has under KEY in the \
             JSON: positions.loads\n\n\
             Extremes, means and root mean squares are those over the positions of the scene; with --between those between them \
-            too,\nas `assur analyze` reports them.\n\nColumns are in SI, the unit in the name, and empty where something does not apply. The first ones are each \
-            parameter,\nstatus (ok, no assembly, no solution, error, refused), message (the first failure) and \
+            too,\nas `assur analyze` reports them.\n\nColumns are in SI, the unit in the name, and empty where something does not apply. The first ones are row \
+            (the number of\nthe point, from 0), each parameter, status (ok, no assembly, no solution, error, refused), message (the first failure) and \
             failed_positions."
 }
 
@@ -57,9 +59,14 @@ pub(crate) struct SweepArgs {
     scene: PathBuf,
     /// N values of a number of the scene, equally spaced, both ends included, such as
     /// "link.crank.points.A=100 mm..140 mm:5"; once more for each further parameter, the last changes fastest.
-    /// Or a list of values: "link.crank.points.A=100 mm,110 mm,125 mm". With --sample without N: KEY=FROM..TO
-    #[arg(long, required = true, value_name = "KEY=VALUES", allow_hyphen_values = true)]
+    /// Or a list of values: "link.crank.points.A=100 mm,110 mm,125 mm", of a text texts: "drive.motor=4A100L4,4A112M4". With --sample
+    /// without N: KEY=FROM..TO
+    #[arg(long, required_unless_present = "points", value_name = "KEY=VALUES", allow_hyphen_values = true)]
     vary: Vec<String>,
+    /// Take the points from the rows of a table (*.csv or *.parquet) instead: its columns are keys of the scene, a number is in SI or has
+    /// a unit ("90 mm"). Rows of an earlier sweep are such a table
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["vary", "sample"])]
+    points: Option<PathBuf>,
     /// A key of the scene that follows a varied one: KEY=KEY gives it the same value, KEY=KEY*FACTOR a multiple, and +CONSTANT behind it adds
     /// to that, such as "+20 mm"
     #[arg(long, value_name = "KEY=KEY[*FACTOR][+CONSTANT]", allow_hyphen_values = true)]
@@ -80,8 +87,12 @@ pub(crate) struct SweepArgs {
     /// positions only, which is far faster
     #[arg(long)]
     between: bool,
-    /// Tell the point with the least or the greatest value of a column, of the points that are ok; `greatest:COLUMN` the other way
-    #[arg(long, value_name = "least:COLUMN", conflicts_with = "resume")]
+    /// Write only rows that hold a condition, such as "transmission > 40 deg": a column, or a measure that gives one value, then <, <=,
+    /// > or >= and a number in SI or with a unit. Once more for each further condition: all hold
+    #[arg(long = "where", value_name = "COLUMN > VALUE", allow_hyphen_values = true)]
+    conditions: Vec<String>,
+    /// Tell the point with the least or the greatest value of a column, of the written points that are ok; `greatest:COLUMN` the other way
+    #[arg(long, value_name = "least:COLUMN")]
     best: Option<String>,
     /// Write the scene of that point
     #[arg(long, value_name = "FILE.toml", requires = "best")]
@@ -120,7 +131,8 @@ pub(crate) fn run(args: &SweepArgs, style: Style) -> Result<Status, Fault> {
     if let Some(path) = output.filter(|path| !files::is_stream(path)) {
         job.refuse_without_room(path, form)?;
     }
-    let status = match (output, form) {
+    let mut elapsed = clock();
+    let (status, tally) = match (output, form) {
         (Some(path), Form::Parquet) => parts::run(&job, path, args.resume),
         (path, _) => lines::run(&job, path, args.resume),
     }?;
@@ -129,6 +141,7 @@ pub(crate) fn run(args: &SweepArgs, style: Style) -> Result<Status, Fault> {
     {
         best_scene.write(sweep.scene(best), Status::Done)?;
     }
+    summary::tell(&tally, elapsed(), &sweep, style);
     Ok(status)
 }
 
@@ -139,25 +152,48 @@ fn judge(args: &SweepArgs, sweep: &Sweep) -> Result<Option<(Best, usize)>, Fault
 }
 
 fn sweep(args: &SweepArgs, style: Style) -> Result<Sweep, Fault> {
-    let points = match args.sample {
-        Some(count) => Points::Sample { count: count.get(), seed: args.seed },
-        None => Points::Grid,
-    };
     let fault = |error| fault(&args.scene, error);
-    let measures = Measure::named(&args.measure).map_err(fault)?;
-    let ties = args.tie.iter().map(|tie| Tie::parse(tie)).collect::<Result<_, _>>().map_err(fault)?;
-    let targets = args.target.iter().map(|target| Target::parse(target)).collect::<Result<_, _>>();
-    let targets = targets.map_err(fault)?;
     let options = scene::options(&args.methods, false)?;
-    let request = SweepRequest { points, ties, targets, measures, between: args.between, options };
     let text = scene::open(&args.scene, style)?.text;
-    let vary = args.vary.iter().map(|vary| Vary::parse(vary, points)).collect::<Result<Vec<_>, _>>();
-    let file = files::shown(&args.scene);
-    let sweep = Sweep::of(&file, &text, &vary.map_err(fault)?, request).map_err(fault)?;
+    let (points, vary) = points(args, &text)?;
+    let request = SweepRequest {
+        points,
+        ties: each(&args.tie, Tie::parse).map_err(fault)?,
+        targets: each(&args.target, Target::parse).map_err(fault)?,
+        measures: Measure::named(&args.measure).map_err(fault)?,
+        between: args.between,
+        conditions: each(&args.conditions, Condition::parse).map_err(fault)?,
+        options,
+    };
+    let sweep = Sweep::of(&files::shown(&args.scene), &text, &vary, request).map_err(fault)?;
     let warnings = sweep.warnings().into_iter();
     let told = warnings.map(|(point, note)| text!("cli-sweep-doubt", point, note));
     scene::tell_all(told.collect(), style)?;
     Ok(sweep)
+}
+
+/// What each of some texts of the command line says.
+fn each<T>(texts: &[String], parse: fn(&str) -> Result<T, SweepError>) -> Result<Vec<T>, SweepError> {
+    texts.iter().map(|text| parse(text)).collect()
+}
+
+/// The points, and the parameters with their values.
+fn points(args: &SweepArgs, scene: &str) -> Result<(Points, Vec<Vary>), Fault> {
+    let fault = |error| fault(&args.scene, error);
+    let Some(file) = &args.points else {
+        let sample = args.sample.map(|count| Points::Sample { count: count.get(), seed: args.seed });
+        let points = sample.unwrap_or_default();
+        let vary = args.vary.iter().map(|vary| Vary::parse(vary, points)).collect::<Result<_, _>>();
+        return Ok((points, vary.map_err(fault)?));
+    };
+    let read = Table::open(file)?;
+    let header = read.header.iter().map(String::as_str);
+    let mut table = PointTable::new(&files::shown(file), read.numbering, header);
+    for row in read.rows {
+        let (at, cells) = row?;
+        table.push(at, cells.iter().map(String::as_str)).map_err(fault)?;
+    }
+    Ok((Points::Table, table.vary(scene).map_err(fault)?))
 }
 
 fn fault(path: &Path, error: SweepError) -> Fault {
@@ -210,7 +246,9 @@ impl<'a> Job<'a> {
     fn refuse_without_room(&self, target: &Path, form: Form) -> Result<(), Fault> {
         // Parquet takes less than half of CSV.
         let needed = if form == Form::Parquet { 0.5 } else { 1.0 } * self.bytes();
-        let Some(free) = files::free_beside(target) else { return Ok(()) };
+        // How many rows conditions leave is not known.
+        let room = files::free_beside(target).filter(|_| !self.sweep.has_conditions());
+        let Some(free) = room else { return Ok(()) };
         if needed <= free as f64 + begun(target) as f64 {
             return Ok(());
         }
@@ -252,15 +290,20 @@ impl<'a> Job<'a> {
         let points = self.points.start + done..self.points.end;
         self.sweep.run(&points, self.threads, encode, |block| {
             let (encoded, tally, best) = block?;
-            if let Some((judge, _)) = judge {
-                let mut found = lock(&self.best);
-                *found = judge.better(*found, best);
-            }
-            finished += tally.points;
+            self.judge(best);
+            finished += tally.points();
             accept(encoded, tally)?;
             line.count(&text!("progress-point"), finished, total);
             Ok(())
         })
+    }
+
+    /// Keeps the better of the best point so far and a later one.
+    fn judge(&self, later: Option<Judged>) {
+        if let Some((judge, _)) = &self.judge {
+            let mut found = lock(&self.best);
+            *found = judge.better(*found, later);
+        }
     }
 
     /// If no point can be calculated, the call is at fault, so there is no table.
@@ -290,14 +333,16 @@ impl<'a> Job<'a> {
         Some(point)
     }
 
-    /// Points without a solution are reported on standard error, the first one in full.
+    /// Points without a solution are reported on standard error, the first one in full; where conditions leave rows out, they are
+    /// left out too.
     fn tell_failures(&self, tally: &Tally) -> Status {
-        let Some(first) = tally.first else { return Status::Done };
-        let Tally { failures, points, .. } = tally;
+        let Some(first) = tally.first_failure.filter(|_| !self.sweep.has_conditions()) else {
+            return Status::Done;
+        };
         self.style.tell(text!(
             "cli-sweep-failures",
-            failures = number(failures),
-            points = number(points),
+            failures = number(tally.failures()),
+            points = number(tally.points()),
             point = self.sweep.describe(first),
             message = self.sweep.failure(first).unwrap_or_default(),
         ));

@@ -3,9 +3,10 @@
 mod analysis;
 mod geometry;
 
-use std::{borrow::Cow, collections::BTreeSet};
+use std::{borrow::Cow, collections::BTreeSet, io::Read};
 
-use ::csv::Writer;
+pub use ::csv::StringRecord;
+use ::csv::{ReaderBuilder, Writer};
 use assur_words::{Describe, Text, errors, name, text, to_ascii};
 
 pub use analysis::{CsvTable, FILES, of_positions, of_trajectory};
@@ -35,6 +36,16 @@ impl Describe for CsvError {
             }
         }
     }
+}
+
+/// The records of a table, the header among them, each with its line; they may have different numbers of cells.
+pub fn records(input: impl Read) -> impl Iterator<Item = Result<(usize, StringRecord), ::csv::Error>> {
+    let reader = ReaderBuilder::new().has_headers(false).flexible(true).from_reader(input);
+    reader.into_records().map(|record| {
+        let record = record?;
+        let line = record.position().map_or(0, ::csv::Position::line);
+        Ok((usize::try_from(line).unwrap_or(usize::MAX), record))
+    })
 }
 
 /// One cell of a table.

@@ -5,7 +5,8 @@ use super::{SLIDER, failures, numbers, run, sweep};
 #[test]
 fn the_last_parameter_changes_fastest() {
     let table = run(SLIDER, &["link.crank.points.A=100 mm..120 mm:2", "link.piston.mass=1 kg..3 kg:3"], 2);
-    assert_eq!(table.columns.names[..2], ["link.crank.points.A_m", "link.piston.mass_kg"]);
+    assert_eq!(table.columns.names[..3], ["row", "link.crank.points.A_m", "link.piston.mass_kg"]);
+    assert_eq!(numbers(&table, "row"), [0.0, 1.0, 2.0, 3.0, 4.0, 5.0]);
     assert_eq!(numbers(&table, "link.crank.points.A_m"), [0.1, 0.1, 0.1, 0.12, 0.12, 0.12]);
     assert_eq!(numbers(&table, "link.piston.mass_kg"), [1.0, 2.0, 3.0, 1.0, 2.0, 3.0]);
 }
@@ -54,7 +55,7 @@ fn columns_are_named_by_what_the_scene_takes_there() {
         ("input.positions=6..12:2", "input.positions", 6.0),
     ] {
         let table = run(SLIDER, &[vary], 1);
-        assert_eq!(table.columns.names[0], name);
+        assert_eq!(table.columns.names[1], name);
         approx_eq(numbers(&table, name)[0], first);
         assert_eq!(failures(&table).len(), 0, "{vary}: {:?}", table.status(0));
     }

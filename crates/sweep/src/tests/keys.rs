@@ -43,7 +43,10 @@ fn a_value_of_another_kind_is_told() {
         ("link.piston.mass=few..2:3", "`link.piston.mass`: `few` does not begin with a finite number"),
         ("link.piston.mass=nan..2:3", "`link.piston.mass`: `nan` does not begin with a finite number"),
         ("input.positions=6 mm..12 mm:3", "`input.positions`: `input.positions` is a count, it has no unit"),
-        ("force.gas.name=1..2:3", "`force.gas.name`: `force.gas.name` is a text, not a number"),
+        (
+            "force.gas.name=1..2:3",
+            "`force.gas.name`: `force.gas.name` is a text, not a number: list texts, KEY=A,B",
+        ),
     ] {
         assert_eq!(fault(vary), problem);
     }
@@ -88,7 +91,7 @@ fn one_value_is_varied_once() {
 fn quotes_hold_names_that_are_no_bare_keys() {
     let scene = SLIDER.replace("gas", "gas [left]");
     let table = run(&scene, &["force.'gas [left]'.value=1..2:2"], 1);
-    assert_eq!(table.columns.names[0], "force.'gas [left]'.value_N");
+    assert_eq!(table.columns.names[1], "force.'gas [left]'.value_N");
 }
 
 #[test]

@@ -4,7 +4,7 @@ use std::fs::File;
 use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom, Write};
 use std::path::Path;
 
-use assur_sweep::Tally;
+use assur_sweep::{Best, ReadRow, Tally};
 
 use super::Job;
 use super::target::Unfinished;
@@ -18,7 +18,7 @@ const HELD: usize = 1 << 20;
 /// Longest line that is read back; a row has some tens of bytes for each of at most some million columns.
 const LONGEST: u64 = 1 << 28;
 
-pub(super) fn run(job: &Job<'_>, path: Option<&Path>, resume: bool) -> Result<Status, Fault> {
+pub(super) fn run(job: &Job<'_>, path: Option<&Path>, resume: bool) -> Result<(Status, Tally), Fault> {
     match path.map(|path| (path, files::open_stream(path))) {
         None => stream(job, &mut io::stdout().lock()),
         Some((path, Some(opened))) => {
@@ -48,11 +48,11 @@ fn rows(
 }
 
 /// Writes to a stream, which can't be taken back.
-fn stream(job: &Job<'_>, out: &mut impl Write) -> Result<Status, Fault> {
+fn stream(job: &Job<'_>, out: &mut impl Write) -> Result<(Status, Tally), Fault> {
     let mut all = Tally::default();
     let mut held = header(job)?;
     rows(job, 0, |text, tally| {
-        all.append(tally);
+        all.append(&tally);
         held.push_str(text);
         if all.is_hopeless() && held.len() < HELD {
             return Ok(());
@@ -63,10 +63,10 @@ fn stream(job: &Job<'_>, out: &mut impl Write) -> Result<Status, Fault> {
     })?;
     job.refuse_hopeless(&all)?;
     out.write_all(held.as_bytes()).and_then(|()| out.flush()).map_err(Fault::stdout)?;
-    Ok(job.tell_failures(&all))
+    Ok((job.tell_failures(&all), all))
 }
 
-fn file(job: &Job<'_>, unfinished: &Unfinished<'_>) -> Result<Status, Fault> {
+fn file(job: &Job<'_>, unfinished: &Unfinished<'_>) -> Result<(Status, Tally), Fault> {
     let fault = |error: io::Error| unfinished.fault(error);
     let path = &unfinished.path;
     let mut out = files::open_own(path).map_err(fault)?;
@@ -80,8 +80,8 @@ fn file(job: &Job<'_>, unfinished: &Unfinished<'_>) -> Result<Status, Fault> {
     if length == 0 {
         out.write_all(header(job)?.as_bytes()).map_err(fault)?;
     }
-    rows(job, all.points, |text, tally| {
-        all.append(tally);
+    rows(job, all.points(), |text, tally| {
+        all.append(&tally);
         out.write_all(text.as_bytes()).map_err(fault)
     })?;
     out.sync_all().map_err(fault)?;
@@ -93,7 +93,7 @@ fn file(job: &Job<'_>, unfinished: &Unfinished<'_>) -> Result<Status, Fault> {
     let status = job.tell_failures(&all);
     unfinished.refuse_partial(status)?;
     unfinished.put(path)?;
-    Ok(status)
+    Ok((status, all))
 }
 
 /// The rows that an earlier run wrote, and the length of the file up to the last whole one: the file holds a beginning
@@ -116,24 +116,60 @@ fn found(job: &Job<'_>, file: &File, unfinished: &Unfinished<'_>) -> Result<(Tal
                 return Err(unfinished.foreign(0));
             }
         } else {
-            let point = job.points.start + all.points;
-            let text = str::from_utf8(&line).ok().filter(|_| point < job.points.end);
-            let status = text.and_then(|text| job.sweep.status_in_csv(text));
-            all.add(point, status.ok_or_else(|| unfinished.foreign(all.points + 1))?);
+            let next = job.points.start + all.points();
+            let row = read_row(job, next, &line).ok_or_else(|| unfinished.foreign(all.written + 1))?;
+            all.add_read(next, &row);
+            job.judge(Best::judged(&row));
             std::mem::swap(&mut line, &mut last);
         }
         length += read as u64;
     }
     let row = |point| job.sweep.row(point).to_csv(job.style.ascii_data).map_err(Fault::told);
-    let is_ours = if all.points > 0 {
-        row(job.points.start + all.points - 1)?.as_bytes() == last
+    let is_ours = if all.written > 0 {
+        row(job.points.start + all.points() - 1)?.as_bytes() == last
     } else if length > 0 || line.is_empty() {
         true
     } else if job.is_first {
         // Nothing whole is here, so what is here must be what the sweep begins with.
         header.as_bytes().starts_with(&line)
     } else {
-        !job.points.is_empty() && row(job.points.start)?.as_bytes().starts_with(&line)
+        match begun(job, &line) {
+            Begun::Row(point) => row(point)?.as_bytes().starts_with(&line),
+            Begun::Number => true,
+            Begun::Nothing => false,
+        }
     };
-    if is_ours { Ok((all, length)) } else { Err(unfinished.foreign(all.points)) }
+    if is_ours { Ok((all, length)) } else { Err(unfinished.foreign(all.written)) }
+}
+
+/// A row that an earlier run wrote: of the point that is next, or where conditions leave points out of a later one.
+fn read_row(job: &Job<'_>, next: usize, line: &[u8]) -> Option<ReadRow> {
+    let column = job.judge.as_ref().map(|(_, column)| *column);
+    let text = str::from_utf8(line).ok()?.trim_end_matches(['\r', '\n']);
+    let row = job.sweep.read_row(text, column)?;
+    let is_next = row.point == next || row.point > next && job.sweep.has_conditions();
+    (is_next && row.point < job.points.end).then_some(row)
+}
+
+/// What the only line of a file is, whose end is missing.
+enum Begun {
+    /// The row of this point.
+    Row(usize),
+    /// Digits of the number of a point.
+    Number,
+    Nothing,
+}
+
+/// What the beginning of the first row may be: where conditions leave points out, it tells its point itself.
+fn begun(job: &Job<'_>, line: &[u8]) -> Begun {
+    let point = || str::from_utf8(line).ok()?.split_once(',')?.0.parse().ok();
+    let own = |point: &usize| job.points.contains(point);
+    if !job.sweep.has_conditions() {
+        return Some(job.points.start).filter(own).map_or(Begun::Nothing, Begun::Row);
+    }
+    match point().filter(own) {
+        Some(point) => Begun::Row(point),
+        None if line.iter().all(u8::is_ascii_digit) => Begun::Number,
+        None => Begun::Nothing,
+    }
 }

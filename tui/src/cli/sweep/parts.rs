@@ -14,17 +14,17 @@ use super::target::Unfinished;
 use crate::cli::fault::{Fault, Status};
 use crate::files;
 
-pub(super) fn run(job: &Job<'_>, path: &Path, resume: bool) -> Result<Status, Fault> {
+pub(super) fn run(job: &Job<'_>, path: &Path, resume: bool) -> Result<(Status, Tally), Fault> {
     let unfinished = Unfinished::of(path, resume, job.style)?;
     let rows = job.sweep.rows_of_part(job.points.len());
     let opened = opened(&unfinished)?;
     let folder = Folder { unfinished: &unfinished, opened, rows, origin: job.origin() };
     let mut all = folder.found(job)?;
-    let mut parts = all.points.div_ceil(folder.rows);
+    let mut parts = all.points().div_ceil(folder.rows);
     let mut collected: Option<Rows> = None;
     let total = job.points.len();
-    job.run(all.points, Ok, |rows, tally| {
-        all.append(tally);
+    job.run(all.points(), Ok, |rows, tally| {
+        all.append(&tally);
         let mut group = match collected.take() {
             Some(mut group) => {
                 group.append(rows);
@@ -33,7 +33,7 @@ pub(super) fn run(job: &Job<'_>, path: &Path, resume: bool) -> Result<Status, Fa
             None => rows,
         };
         // Blocks may reach over the end of a part.
-        while group.len() >= folder.rows || all.points == total && !group.is_empty() {
+        while group.len() >= folder.rows || all.points() == total && !group.is_empty() {
             let rest = group.split_off(folder.rows.min(group.len()));
             folder.write(parts, &group)?;
             parts += 1;
@@ -50,7 +50,7 @@ pub(super) fn run(job: &Job<'_>, path: &Path, resume: bool) -> Result<Status, Fa
     unfinished.refuse_partial(status)?;
     unfinished.put(&folder.joined(job, parts)?)?;
     folder.remove()?;
-    Ok(status)
+    Ok((status, all))
 }
 
 /// The folder, made unless an earlier run has; a link to another folder is not followed.
@@ -105,17 +105,20 @@ impl Folder<'_> {
                 Err(error) if error.kind() == io::ErrorKind::NotFound => break,
                 file => file.map_err(|error| self.unfinished.fault(error))?,
             };
-            let left = job.points.len().saturating_sub(all.points);
-            let foreign = || self.unfinished.foreign(all.points + 1);
+            let left = job.points.len().saturating_sub(all.points());
+            let foreign = || self.unfinished.foreign(all.points() + 1);
             let part = FilePart::read(&file, job.sweep).ok_or_else(foreign)?;
             self.unfinished.compare(&part.origin, &self.origin)?;
-            if part.tally.points != left.min(self.rows) {
+            if part.tally.points() != left.min(self.rows) {
                 return Err(foreign());
             }
-            all.append(part.tally);
-            let row = job.sweep.row(job.points.start + all.points - 1);
-            if row.to_csv(false).map_err(Fault::told)?.trim_end() != part.last {
-                return Err(self.unfinished.foreign(all.points));
+            all.append(&part.tally);
+            if parquet::last(&job.sweep.row(job.points.start + all.points() - 1)) != part.last {
+                return Err(self.unfinished.foreign(all.points()));
+            }
+            if let Some((best, column)) = &job.judge {
+                let found = parquet::best(file, &job.sweep.columns, (best, *column));
+                job.judge(found.map_err(|error| self.unwritten(error))?);
             }
         }
         Ok(all)
