@@ -54,6 +54,9 @@ pub(super) fn at(state: &mut State, key: &SceneKey) {
     let steps = key.steps();
     for depth in (0..=steps.len()).rev() {
         let around = SceneKey::from(&steps[..depth]);
+        if stands_alone(state.draft.text(), &around) {
+            continue;
+        }
         let is_of_rows = rows(state.draft.text(), &around).is_some_and(|rows| !rows.rows.is_empty());
         open(state, if is_of_rows { FormSource::Rows(around) } else { FormSource::Table(around) });
         let Some(form) = state.build.form_mut() else { return };
@@ -64,6 +67,14 @@ pub(super) fn at(state: &mut State, key: &SceneKey) {
             return;
         }
     }
+}
+
+/// Whether a number or a text stands at a key where a table could: it is a field of the table around it.
+fn stands_alone(text: &str, key: &SceneKey) -> bool {
+    let Some((_, around)) = key.steps().split_last() else { return false };
+    let form = table(text, &SceneKey::from(around), &[]);
+    let own = form.fields.iter().find(|field| field.key.steps() == key.steps());
+    own.and_then(|field| field.value.as_deref()).is_some_and(|value| !value.starts_with(['{', '[']))
 }
 
 /// Changes what is typed, and takes it into the text if it may stand there.
