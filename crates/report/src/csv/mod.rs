@@ -8,7 +8,7 @@ use std::{borrow::Cow, collections::BTreeSet};
 use ::csv::Writer;
 use assur_words::{Describe, Text, errors, name, text, to_ascii};
 
-pub use analysis::{CsvTable, FILES, of_positions, of_trajectory};
+pub use analysis::{CsvTable, FILES, INDEX, columns_of_positions, of_positions, of_trajectory};
 pub use geometry::{geometry, shaking};
 
 /// A table can't be written as CSV.
