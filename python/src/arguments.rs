@@ -19,7 +19,10 @@ impl<'py> FromPyObject<'_, 'py> for Texts {
             let each = pairs.iter().map(|(key, value)| Ok(format!("{}={}", key.str()?, value.str()?)));
             return each.collect::<PyResult<_>>().map(Self);
         }
-        given.extract().map(Self).map_err(|_| PyTypeError::new_err("one text, a list of texts, or a dict of texts is expected"))
+        given
+            .extract()
+            .map(Self)
+            .map_err(|_| PyTypeError::new_err("one text, a list of texts, or a dict of texts is expected"))
     }
 }
 
@@ -39,7 +42,9 @@ pub(crate) fn value(given: &Bound<'_, PyAny>) -> PyResult<String> {
 }
 
 /// Part I of N.
-pub(crate) fn part(given: Option<(usize, usize)>) -> PyResult<Option<(std::num::NonZeroUsize, std::num::NonZeroUsize)>> {
+pub(crate) fn part(
+    given: Option<(usize, usize)>,
+) -> PyResult<Option<(std::num::NonZeroUsize, std::num::NonZeroUsize)>> {
     let Some((part, parts)) = given else { return Ok(None) };
     let both = std::num::NonZeroUsize::new(part).zip(std::num::NonZeroUsize::new(parts));
     let both = both.filter(|(part, parts)| part <= parts);

@@ -5,7 +5,8 @@ use std::sync::Arc;
 use arrow_array::ffi_stream::FFI_ArrowArrayStream;
 use arrow_array::types::Float64Type;
 use arrow_array::{
-    ArrayRef, Int64Array, LargeStringArray, PrimitiveArray, RecordBatch, RecordBatchIterator, RecordBatchOptions,
+    ArrayRef, Int64Array, LargeStringArray, PrimitiveArray, RecordBatch, RecordBatchIterator,
+    RecordBatchOptions,
 };
 use arrow_buffer::{BooleanBuffer, Buffer, NullBuffer, ScalarBuffer};
 use arrow_schema::{ArrowError, DataType, Field, Schema};
