@@ -12,7 +12,7 @@ pub(crate) fn run<T: Send>(
     let (found, interrupt) = py.detach(|| {
         let mut interrupt = None;
         let mut goes_on = || {
-            interrupt = Python::attach(|py| py.check_signals()).err();
+            interrupt = Python::attach(Python::check_signals).err();
             interrupt.is_none()
         };
         let found = work(&mut goes_on);
