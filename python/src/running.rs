@@ -12,7 +12,12 @@ pub(crate) fn run<T: Send>(
     let (found, interrupt) = py.detach(|| {
         let mut interrupt = None;
         let mut goes_on = || {
-            interrupt = Python::attach(Python::check_signals).err();
+            #[expect(
+                clippy::redundant_closure_for_method_calls,
+                reason = "the method itself is of one lifetime"
+            )]
+            let signal = Python::attach(|py| py.check_signals());
+            interrupt = signal.err();
             interrupt.is_none()
         };
         let found = work(&mut goes_on);
