@@ -103,7 +103,7 @@ fn below(path: &str, part: &Value, page: &mut String) {
         below(&format!("{path}[]"), item, page);
     }
     for alternative in part["anyOf"].as_array().into_iter().flatten() {
-        if text(alternative, "description") != "" && alternative["type"] != "object" {
+        if !text(alternative, "description").is_empty() && alternative["type"] != "object" {
             row(path, alternative, page);
         }
         below(path, alternative, page);
