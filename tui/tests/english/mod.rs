@@ -24,7 +24,15 @@ fn is_symbol(word: &str) -> bool {
     let others: BTreeSet<char> = letters().filter(|letter| !"ovx".contains(*letter)).collect();
     // A symbol of the working has subscripts: l_A_B.
     let parts = || word.split('_').all(|part| part.len() <= 2);
-    letters().count() <= 2 || others.is_empty() || drawn && others.len() <= 2 || parts()
+    // Of a plan: the normal part of the acceleration of C relative to A, written a^n_CA on paper.
+    let relative = ["an", "at", "ar", "ac", "v"].iter().filter_map(|kind| word.strip_prefix(kind));
+    let is_relative =
+        |points: &str| points.chars().all(|letter| letter.is_ascii_uppercase() || letter.is_ascii_digit());
+    letters().count() <= 2
+        || relative.into_iter().any(is_relative)
+        || others.is_empty()
+        || drawn && others.len() <= 2
+        || parts()
 }
 
 /// A text without what it quotes: lines of files in quotes and brackets, examples that are indented, keys before `=`.

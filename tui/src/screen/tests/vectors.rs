@@ -160,7 +160,7 @@ fn all_positions_have_one_scale_but_for_one_that_is_drawn_alone() {
 fn a_contact_is_drawn_whatever_results_the_scene_asks_for() {
     for arrows in [Arrows::Velocity, Arrows::Loads, Arrows::Reactions] {
         let forces = vectors(&drawn(&analyzed("rolling-press"), arrows, 5, true));
-        let [whole, normal, friction] = ["F", "Fc", "Ff"].map(|name| forces[name].1);
+        let [whole, normal, friction] = ["F", "F_{c}", "F_{f}"].map(|name| forces[name].1);
         // 20 kN, and a tenth of it across.
         assert!((length(normal) - 20e3).abs() < 1e-6 && (length(friction) - 2e3).abs() < 1e-6);
         assert!(near(whole, plus(normal, friction), 20e3));

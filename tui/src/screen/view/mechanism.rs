@@ -2,7 +2,7 @@
 
 use assur_analysis::results::{Column, Owner, Quantity};
 use assur_book::catalogue;
-use assur_figure::cells::{flat, point_at};
+use assur_figure::cells::{point_at};
 use assur_figure::{Figure, Ink, Sample, Stroke};
 use assur_mechanism::Motion;
 use assur_picture::curves::in_radians;
@@ -97,7 +97,7 @@ fn legend(state: &State, figure: &Figure, width: usize) -> Vec<(Role, String)> {
     let mut rows = Vec::new();
     for key in &figure.legend {
         let Sample::Line(Stroke::Solid | Stroke::Dashed, ink) = key.sample else { continue };
-        let told = flat(&state.told(&key.text));
+        let told = state.told(&key.text);
         let parts = if told.chars().count() <= width { vec![&*told] } else { told.split("  ").collect() };
         let parts = parts.into_iter().flat_map(|part| wrapped(part, width));
         rows.extend(parts.map(|part| (Role::Drawn(ink), part)));
