@@ -25,7 +25,9 @@ fn is_symbol(word: &str) -> bool {
     // A symbol of the working has subscripts: l_A_B.
     let parts = || word.split('_').all(|part| part.len() <= 2);
     // Of a plan: the normal part of the acceleration of C relative to A, written a^n_CA on paper.
-    let relative = ["an", "at", "ar", "ac", "v"].iter().filter_map(|kind| word.strip_prefix(kind));
+    let relative = ["an", "at", "ar", "ac", "v"]
+        .iter()
+        .filter_map(|kind| word.trim_start_matches(['o', 'v', 'x']).strip_prefix(kind));
     let is_relative =
         |points: &str| points.chars().all(|letter| letter.is_ascii_uppercase() || letter.is_ascii_digit());
     letters().count() <= 2

@@ -2,7 +2,7 @@
 
 use assur_analysis::results::{Column, Owner, Quantity};
 use assur_book::catalogue;
-use assur_figure::cells::{point_at};
+use assur_figure::cells::point_at;
 use assur_figure::{Figure, Ink, Sample, Stroke};
 use assur_mechanism::Motion;
 use assur_picture::curves::in_radians;
