@@ -15,35 +15,36 @@ pub struct Columns {
     numbers: Vec<usize>,
     names: Vec<String>,
     values: Vec<Vec<f64>>,
+    /// Of each column, its index in the schema.
+    sources: Vec<usize>,
     /// The index among the columns that are kept, by the index in the schema.
     kept: HashMap<usize, usize>,
 }
 
 impl Columns {
     /// The columns of a table that have names in CSV, without rows.
-    pub(crate) fn of(schema: &Arc<Schema>) -> Self {
-        let mut columns = Self { schema: Arc::clone(schema), ..Self::default() };
-        for (index, column) in schema.columns().iter().enumerate() {
-            if let Some(name) = catalogue::csv(schema, *column) {
-                columns.kept.insert(index, columns.names.len());
-                columns.names.push(name);
-            }
-        }
-        columns.values = vec![Vec::new(); columns.names.len()];
-        columns
+    pub(crate) fn of(schema: &Arc<Schema>, named: Vec<(usize, String)>) -> Self {
+        let (sources, names): (Vec<usize>, Vec<String>) = named.into_iter().unzip();
+        let kept = sources.iter().enumerate().map(|(own, source)| (*source, own)).collect();
+        let values = vec![Vec::new(); names.len()];
+        Self { schema: Arc::clone(schema), numbers: Vec::new(), names, values, sources, kept }
+    }
+
+    /// Makes room for so many rows.
+    pub(crate) fn reserve(&mut self, rows: usize) {
+        self.numbers.reserve_exact(rows);
+        self.values.iter_mut().for_each(|values| values.reserve_exact(rows));
     }
 
     /// The rows of a table in the form in which [`append`](Self::append) takes them.
     pub(crate) fn block(&self, table: &Table) -> (Vec<usize>, Vec<Vec<f64>>) {
-        let mut kept: Vec<_> = self.kept.iter().collect();
-        kept.sort_unstable_by_key(|(_, own)| **own);
-        let filled = |column: usize| table.each(column).map(|value| value.unwrap_or(f64::NAN)).collect();
-        (table.numbers().to_vec(), kept.into_iter().map(|(column, _)| filled(*column)).collect())
+        let filled = |column: &usize| table.each(*column).map(|value| value.unwrap_or(f64::NAN)).collect();
+        (table.numbers().to_vec(), self.sources.iter().map(filled).collect())
     }
 
     /// Adds rows.
     pub(crate) fn append(&mut self, (numbers, values): (Vec<usize>, Vec<Vec<f64>>)) {
-        if self.numbers.is_empty() {
+        if self.numbers.capacity() == 0 {
             (self.numbers, self.values) = (numbers, values);
             return;
         }
@@ -105,12 +106,13 @@ impl Columns {
 
     fn reaction_of(&self, pair: &str, link: Option<&str>) -> Result<Reaction<'_>, Error> {
         let name_of = |link: usize| self.schema.links[link].as_str();
-        let all = if link.is_some() {
+        let mut all = if link.is_some() {
             self.schema.owners(Quantity::Force)
         } else {
             let shown = catalogue::reactions(&self.schema).into_iter();
             shown.map(|(pair, link)| Owner::PairOn(pair, link)).collect()
         };
+        all.retain(|owner| self.force(*owner, Part::X).is_some());
         let found = all.iter().copied().find_map(|owner| match owner {
             Owner::PairOn(of, on) if self.schema.name(owner) == pair => {
                 link.is_none_or(|link| name_of(on) == link).then_some((owner, of, on))
@@ -121,13 +123,18 @@ impl Columns {
             let names: Vec<String> = all.iter().map(|owner| self.schema.name(*owner).into_owned()).collect();
             return Err(Error::unknown("pair with a known force", pair, names.iter().map(String::as_str)));
         };
-        let values = |quantity, owner, part| {
-            let column = Column { quantity, owner, part, cause: None };
-            let own = self.schema.find(column).and_then(|index| self.kept.get(&index));
-            own.map(|own| &*self.values[*own])
-        };
-        let [x, y] = [Part::X, Part::Y].map(|part| values(Quantity::Force, owner, part).unwrap_or_default());
-        let moment = values(Quantity::Moment, Owner::Pair(of), Part::Whole);
+        let [x, y] = [Part::X, Part::Y].map(|part| self.force(owner, part).unwrap_or_default());
+        let moment = self.values_of(Quantity::Moment, Owner::Pair(of), Part::Whole);
         Ok(Reaction { on: name_of(on), x, y, moment })
+    }
+
+    fn force(&self, owner: Owner, part: Part) -> Option<&[f64]> {
+        self.values_of(Quantity::Force, owner, part)
+    }
+
+    fn values_of(&self, quantity: Quantity, owner: Owner, part: Part) -> Option<&[f64]> {
+        let column = Column { quantity, owner, part, cause: None };
+        let own = self.schema.find(column).and_then(|index| self.kept.get(&index));
+        own.map(|own| &*self.values[*own])
     }
 }

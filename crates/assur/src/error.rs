@@ -26,6 +26,11 @@ impl Error {
         Self { message: assur_words::Told(message).to_string(), ..Self::default() }
     }
 
+    /// What is wrong with a call itself.
+    pub(crate) fn call(message: &str) -> Self {
+        Self { message: message.to_owned(), ..Self::default() }
+    }
+
     /// Nothing has the name that was asked for; `known` are the names that there are.
     pub(crate) fn unknown<'k>(what: &str, wanted: &str, known: impl IntoIterator<Item = &'k str>) -> Self {
         let offer = assur_scene::nearest(wanted, known);

@@ -59,19 +59,20 @@ mod results;
 mod scene;
 mod swept;
 
+pub use assur_sweep::{Numbering, PointTable};
 pub use columns::Columns;
 pub use error::Error;
 pub use position::Position;
 pub use results::{Reaction, Results};
 pub use scene::Scene;
-pub use swept::SweepRows;
+pub use swept::{SweepOptions, SweepRows};
 
 // Linking is what registers the plugins.
 use assur_all as _;
 
 /// What a program that calculates needs.
 pub mod prelude {
-    pub use crate::{Columns, Error, Position, Reaction, Results, Scene, SweepRows};
+    pub use crate::{Columns, Error, Position, Reaction, Results, Scene, SweepOptions, SweepRows};
 }
 
 #[cfg(test)]

@@ -2,7 +2,8 @@
 
 use std::convert::Infallible;
 
-use assur_analysis::{Calculation, unwatched};
+use assur_analysis::{Calculation, Watch};
+use assur_report::csv;
 use assur_words::{Describe, Told};
 
 use crate::{Columns, Error};
@@ -34,14 +35,17 @@ pub struct Reaction<'a> {
 }
 
 impl Results {
-    pub(crate) fn of(study: &Calculation) -> Result<Self, Error> {
+    pub(crate) fn of(study: &Calculation, watch: &mut Watch<'_>) -> Result<Self, Error> {
         let stopped = |stopped: assur_analysis::Stopped| Error::told(stopped.describe());
-        let analysis = study.analyze(&mut unwatched).map_err(stopped)?;
-        let mut positions = Columns::of(analysis.positions.schema());
+        let analysis = study.analyze(watch).map_err(stopped)?;
+        let mut positions = Columns::of(analysis.positions.schema(), csv::columns_of_positions(&analysis));
         let empty = positions.clone();
+        if !analysis.is_complete() {
+            positions.reserve(study.linkage.mechanism.input.positions);
+        }
         let done = study.each_block(
             &analysis,
-            &mut unwatched,
+            watch,
             |table| empty.block(table),
             |block| {
                 positions.append(block);
@@ -49,7 +53,8 @@ impl Results {
             },
         );
         let Ok(()) = done.map_err(stopped)?;
-        let mut motion = Columns::of(analysis.trajectory.schema());
+        let named = csv::of_trajectory(&analysis, false).map(|sheet| sheet.columns()).unwrap_or_default();
+        let mut motion = Columns::of(analysis.trajectory.schema(), named);
         motion.append(motion.block(&analysis.trajectory));
         let failures = analysis.failures.iter();
         Ok(Self {

@@ -1,15 +1,16 @@
 //! A scene that is read.
 
+use std::ops::ControlFlow;
 use std::path::Path;
 use std::sync::Arc;
 
-use assur_analysis::{Calculation, Options, unwatched};
+use assur_analysis::{Calculation, Options};
 use assur_group::Order;
 use assur_kinematics::Linkage;
 use assur_scene::edit::quoted;
 use assur_words::Describe;
 
-use crate::{Error, Position, Results, SweepRows, swept};
+use crate::{Error, Position, Results, SweepOptions, SweepRows, swept};
 
 /// A scene that is read, with its mechanism compiled.
 #[derive(Debug, Clone)]
@@ -57,6 +58,16 @@ impl Scene {
         self.linkage.structure.formula.as_str().to_owned()
     }
 
+    /// The names of its points.
+    pub fn points(&self) -> impl ExactSizeIterator<Item = &str> {
+        self.linkage.mechanism.points.iter().map(|point| point.name.as_str())
+    }
+
+    /// The names of its links, the ground among them.
+    pub fn links(&self) -> impl ExactSizeIterator<Item = &str> {
+        self.linkage.mechanism.links.iter().map(|link| link.name.as_str())
+    }
+
     /// The coordinates of the positions that the scene asks for, rad, m or s.
     pub fn coordinates(&self) -> impl ExactSizeIterator<Item = f64> + '_ {
         let input = &self.linkage.mechanism.input;
@@ -82,13 +93,22 @@ impl Scene {
     ///
     /// What lets nothing be calculated; a position without a solution is one of the [failures](Results::failures).
     pub fn analyze(&self) -> Result<Results, Error> {
+        self.analyze_while(&mut || true)
+    }
+
+    /// As [`analyze`](Self::analyze), for a calculation that may take long: `goes_on` is asked now and then whether to go on.
+    ///
+    /// # Errors
+    ///
+    /// As those of [`analyze`](Self::analyze); that it was stopped.
+    pub fn analyze_while(&self, goes_on: &mut dyn FnMut() -> bool) -> Result<Results, Error> {
         let options = Options::default();
         let failed = |error: assur_analysis::AnalysisError| {
             Error::at(&self.file, &self.text, error.key(&self.linkage.mechanism), error.describe())
         };
-        let study =
-            Calculation::of(self.linkage.mechanism.clone(), &options, &mut unwatched).map_err(failed)?;
-        Results::of(&study)
+        let mut watch = |_| if goes_on() { ControlFlow::Continue(()) } else { ControlFlow::Break(()) };
+        let study = Calculation::of(self.linkage.mechanism.clone(), &options, &mut watch).map_err(failed)?;
+        Results::of(&study, &mut watch)
     }
 
     /// The scene with another value, written as in a scene: `scene.with("link.crank.mass", "5 kg")`. Comments and order stay.
@@ -110,23 +130,25 @@ impl Scene {
     ///
     /// # Errors
     ///
-    /// A parameter that the scene does not have, an unknown measure, too many points. A point that fails is a row.
+    /// A parameter that the scene does not have, an unknown measure, too many points; values of which none makes a scene. A point that
+    /// fails is a row.
     pub fn sweep(&self, vary: &[&str], measures: &[&str]) -> Result<SweepRows, Error> {
-        swept::of(self, vary, measures, &[])
+        let measures = measures.iter().map(|&measure| measure.to_owned()).collect();
+        self.sweep_with(vary, &SweepOptions { measures, ..SweepOptions::default() }, &mut || true)
     }
 
-    /// A [sweep](Self::sweep) of which only those rows are kept that hold every condition, such as `transmission > 40 deg`: a column, or a
-    /// measure that gives one value, and a number in SI or with a unit.
+    /// As [`sweep`](Self::sweep), with all that `assur sweep` has: keys that follow others, distances, samples, parts. `goes_on` is asked
+    /// now and then whether to go on.
     ///
     /// # Errors
     ///
-    /// As those of [`sweep`](Self::sweep); a condition on no column of numbers.
-    pub fn sweep_where(
+    /// As those of [`sweep`](Self::sweep); that it was stopped.
+    pub fn sweep_with(
         &self,
         vary: &[&str],
-        measures: &[&str],
-        conditions: &[&str],
+        options: &SweepOptions,
+        goes_on: &mut dyn FnMut() -> bool,
     ) -> Result<SweepRows, Error> {
-        swept::of(self, vary, measures, conditions)
+        swept::of(self, vary, options, goes_on)
     }
 }

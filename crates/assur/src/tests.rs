@@ -1,9 +1,12 @@
 //! The library against the results that the shipped scenes carry of another program, and against itself by another way.
 
+use std::num::NonZeroUsize;
+
 use assur_fixtures::scene;
 use serde_json::Value;
 
 use crate::prelude::*;
+use crate::{Numbering, PointTable};
 
 fn shipped(name: &str) -> Scene {
     Scene::parse(&format!("{name}.toml"), scene(name)).unwrap()
@@ -93,7 +96,10 @@ fn a_point_of_a_sweep_is_the_scene_with_its_value() {
 fn rows_that_hold_a_condition_have_the_numbers_of_the_whole_sweep() {
     let (scene, key) = (shipped("four-bar"), "link.crank.points.A=50 mm..90 mm:21");
     let whole = scene.sweep(&[key], &["transmission"]).unwrap();
-    let kept = scene.sweep_where(&[key], &["transmission"], &["transmission > 60 deg"]).unwrap();
+    let conditions = vec!["transmission > 60 deg".to_owned()];
+    let options =
+        SweepOptions { measures: vec!["transmission".to_owned()], conditions, ..SweepOptions::default() };
+    let kept = scene.sweep_with(&[key], &options, &mut || true).unwrap();
     let angles = |rows: &SweepRows| rows.column("least_transmission_angle_rad").unwrap().to_vec();
     let of_whole = angles(&whole);
     let wanted: Vec<usize> =
@@ -101,6 +107,96 @@ fn rows_that_hold_a_condition_have_the_numbers_of_the_whole_sweep() {
     assert!((1..21).contains(&wanted.len()), "{of_whole:?}");
     assert_eq!((whole.points().len(), kept.points()), (21, &wanted[..]));
     assert_eq!(angles(&kept), wanted.iter().map(|point| of_whole[*point]).collect::<Vec<_>>());
+}
+
+#[test]
+fn points_of_a_table_are_those_of_ranges() {
+    let (scene, key) = (shipped("four-bar"), "link.crank.points.A");
+    let whole = scene.sweep(&["link.crank.points.A=50 mm,70 mm,90 mm"], &["transmission"]).unwrap();
+    let mut points = PointTable::new("table", Numbering::Rows, [key]);
+    for (row, cell) in ["50 mm", "0.07", "9 cm"].into_iter().enumerate() {
+        points.push(row, [cell]).unwrap();
+    }
+    let measures = vec!["transmission".to_owned()];
+    let options = SweepOptions { measures, points: Some(points), ..SweepOptions::default() };
+    let rows = scene.sweep_with(&[], &options, &mut || true).unwrap();
+    let angles = |rows: &SweepRows| rows.column("least_transmission_angle_rad").unwrap().to_vec();
+    assert_eq!((rows.len(), angles(&rows)), (3, angles(&whole)));
+    assert!(scene.sweep_with(&["link.coupler.mass=1,2"], &options, &mut || true).is_err());
+}
+
+#[test]
+fn columns_have_the_names_of_csv_and_no_others() {
+    let results = shipped("shaper-friction").analyze().unwrap();
+    let names = results.positions.names();
+    let has_number = |name: &String| results.column(name).unwrap().iter().any(|number| number.is_finite());
+    // What some rows lack may be lacked by all; here that is not so.
+    assert!(names.iter().all(has_number), "{names:?}");
+    let run_up = shipped("run-up").analyze().unwrap().motion;
+    assert_eq!(run_up.names()[0], "time_s");
+    assert!(!run_up.is_empty() && !run_up.names().iter().any(|name| name.starts_with("balancing")));
+}
+
+#[test]
+fn a_reaction_is_an_error_where_nothing_is_known_of_it() {
+    let still = "[ground]\npoints = { O = 0 }\n[link.crank]\npoints = { O = 0, A = 0.1 }\n[input]\nlink = \"crank\"\n";
+    let error = Scene::parse("still.toml", still).unwrap().analyze().unwrap().reaction("O").unwrap_err();
+    assert!(error.message.contains("no pair with a known force"), "{error}");
+}
+
+#[test]
+fn a_sweep_follows_its_options() {
+    let scene = shipped("four-bar");
+    let vary = ["link.coupler.mass=2 kg..3 kg"];
+    let options = SweepOptions {
+        measures: vec!["distance".to_owned()],
+        ties: vec!["link.rocker.mass=link.coupler.mass*0.5".to_owned()],
+        targets: vec!["B=300 mm,100 mm".to_owned()],
+        sample: NonZeroUsize::new(9),
+        seed: 3,
+        ..SweepOptions::default()
+    };
+    let whole = scene.sweep_with(&vary, &options, &mut || true).unwrap();
+    let [masses, halves] =
+        ["link.coupler.mass_kg", "link.rocker.mass_kg"].map(|name| whole.column(name).unwrap());
+    assert_eq!(whole.len(), 9);
+    assert!(masses.iter().zip(halves).all(|(mass, half)| near(*half, 0.5 * mass, 1.0)));
+    assert!(whole.column("B_distance_1_least_m").unwrap().iter().all(|distance| *distance > 0.0));
+    let parts = [1, 2].map(|part| {
+        let part = NonZeroUsize::new(part).zip(NonZeroUsize::new(2));
+        let one = NonZeroUsize::new(1);
+        scene
+            .sweep_with(&vary, &SweepOptions { part, threads: one, ..options.clone() }, &mut || true)
+            .unwrap()
+    });
+    let both: Vec<f64> =
+        parts.iter().flat_map(|part| part.column("link.coupler.mass_kg").unwrap()).copied().collect();
+    assert_eq!(both, masses);
+    assert!(whole.is_text("status").unwrap() && !whole.is_text("failed_positions").unwrap());
+    assert!(whole.is_text("statu").unwrap_err().message.contains("did you mean `status`"));
+    assert!(
+        whole.column("status").is_err() && whole.texts("status").unwrap().iter().all(|text| text == "ok")
+    );
+}
+
+#[test]
+fn a_sweep_of_which_no_point_is_a_scene_is_an_error() {
+    let error = shipped("four-bar").sweep(&["link.crank.mass=-2 kg..-1 kg:2"], &[]).unwrap_err();
+    assert!(error.message.contains("link.crank.mass"), "{error}");
+}
+
+#[test]
+fn long_work_ends_when_it_is_told_to() {
+    let scene = shipped("four-bar").with("input.positions", "300000").unwrap();
+    assert!(scene.analyze_while(&mut || false).is_err());
+    let mut asked = 0;
+    let mut twice = || {
+        asked += 1;
+        asked < 2
+    };
+    let vary = ["link.coupler.mass=2 kg..3 kg:1000"];
+    assert!(shipped("four-bar").sweep_with(&vary, &SweepOptions::default(), &mut twice).is_err());
+    assert_eq!(asked, 2);
 }
 
 #[test]

@@ -1,6 +1,15 @@
 //! The text of a scene while it is built.
 //!
 //! All functions go from a text to a text; comments, order and spelling of what is not changed stay as they are.
+//!
+//! ```
+//! use assur_mechanism::Key;
+//!
+//! let key = Key::parse("link.crank.mass")?;
+//! let text = assur_draft::set("[link.crank]\nmass = 1 # of steel\n", &key, "2")?;
+//! assert_eq!(text, "[link.crank]\nmass = 2 # of steel\n");
+//! # Ok::<(), assur_words::Text>(())
+//! ```
 
 mod braces;
 mod difference;

@@ -9,6 +9,17 @@
 //! * [`AssurGroup`]: places the links (PF0), differentiates (PF1, PF2), and finds the pair reactions. Only the
 //!   places are required; the rest follows from one linear system, `J u' = ...` and `J^T lambda = ...`.
 //! * [`GroupPlugin`]: the entry of a kind in the registry.
+//!
+//! A point 0.1 m along the x axis of a link that has turned a quarter about the origin, and its first derivative by the angle:
+//!
+//! ```
+//! use assur_group::Body;
+//!
+//! let crank = Body { c: 0.0, s: 1.0, w1: 1.0, ..Body::<f64>::ground() };
+//! let arm = crank.arm([0.1, 0.0]);
+//! assert_eq!(crank.point([0.1, 0.0]), [0.0, 0.1]);
+//! assert_eq!(crank.first(arm), [-0.1, 0.0]);
+//! ```
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 

@@ -8,6 +8,20 @@
 //! does everything else. A method that advances in panels of the coordinate or of the speed implements [`Integrator`]
 //! and keeps a [`Run`] itself.
 //!
+//! What an equation depends on decides which methods suit it:
+//!
+//! ```
+//! use assur_integrator::{AUTO, Dependence, choose};
+//!
+//! // J is constant, and the moment follows the speed.
+//! let dependence = Dependence { inertia_constant: true, moment_on_speed: true, ..Dependence::default() };
+//! assert_eq!(dependence.case(), 2);
+//! // Of the methods that are linked:
+//! if let Ok(choice) = choose(AUTO, &dependence, 1e-9) {
+//!     println!("{}", choice.first.integrator.name);
+//! }
+//! ```
+//!
 //! # Existing crates, considered before this one was written (2026-11)
 //!
 //! | crate | version | license | dense output | events | two states without allocation | verdict |

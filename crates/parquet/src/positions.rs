@@ -3,7 +3,6 @@
 use std::io::Write;
 
 use assur_analysis::results::{Analysis, Section, Table};
-use assur_book::catalogue;
 
 use crate::{Column, File, ParquetError, Values};
 use assur_report::csv;
@@ -25,18 +24,14 @@ impl<W: Write + Send> Writer<W> {
     /// Begins a file with the columns that CSV has, under the same names.
     pub fn new(analysis: &Analysis, out: W) -> Result<Self, ParquetError> {
         let schema = analysis.positions.schema();
-        let all = (0..schema.columns().len())
-            .filter(|column| analysis.survey.has(schema.section_of(*column)) || schema.is_nullable(*column));
-        let named =
-            all.filter_map(|column| Some((column, catalogue::csv(schema, schema.columns()[column])?)));
-        let (sources, names): (Vec<usize>, Vec<String>) = named.unzip();
-        let mut names = csv::unique(std::iter::once("index".to_owned()).chain(names)).into_iter();
-        let name = names.next().unwrap_or_default();
-        let index = Column::of_whole(name);
+        let (sources, names): (Vec<usize>, Vec<String>) =
+            csv::columns_of_positions(analysis).into_iter().unzip();
+        let index = Column::of_whole(csv::INDEX.to_owned());
         let column = |(name, source): (String, &usize)| {
             Column::of_numbers(name, schema.section_of(*source) != Section::ALWAYS)
         };
-        let columns: Vec<Column> = std::iter::once(index).chain(names.zip(&sources).map(column)).collect();
+        let columns: Vec<Column> =
+            std::iter::once(index).chain(names.into_iter().zip(&sources).map(column)).collect();
         Ok(Self { file: File::new(&columns, Vec::new(), false, out)?, columns, sources, rows: 0 })
     }
 

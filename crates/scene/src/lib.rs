@@ -2,6 +2,13 @@
 //!
 //! The entry point is [`read`], a pure function from text to mechanism. Nothing here opens a file or prints. After a
 //! fault the reader continues, so that one run shows all that is wrong; see [`SceneErrors`].
+//!
+//! ```
+//! let text = "[ground]\npoints = { O = 0 }\n[link.crank]\npoints = { O = 0, A = '100 mm' }\n[input]\nlink = 'crank'";
+//! let mechanism = assur_scene::read("crank.toml", text)?;
+//! assert_eq!(mechanism.links.len(), 2); // the ground is one
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod context;
 pub mod document;

@@ -55,7 +55,7 @@ impl Places {
 /// assert!(table.push(3, ["1", "0.12"]).unwrap_err().to_string().contains("points.csv, line 3"));
 /// # Ok::<(), assur_sweep::SweepError>(())
 /// ```
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct PointTable {
     places: Places,
     /// How many cells a row has.

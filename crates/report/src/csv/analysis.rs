@@ -2,12 +2,15 @@
 
 use assur_analysis::results::{Analysis, Column, Owner, Quantity, Schema, Table};
 
-use super::{CsvError, header, number};
+use super::{CsvError, header, number, unique};
 use crate::template::{Template, Templates};
 use assur_book::catalogue;
 
 /// The names of all files that an analysis may have.
 pub const FILES: [&str; 3] = ["positions.csv", "reactions.csv", "trajectory.csv"];
+
+/// The name of the column with the numbers of the positions.
+pub const INDEX: &str = "index";
 
 /// One CSV file: its columns.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -32,6 +35,17 @@ pub fn of_positions(analysis: &Analysis, ascii: bool) -> Vec<CsvTable> {
         sheets.push(sheet(FILES[1], reactions(schema, &has)));
     }
     sheets
+}
+
+/// The columns of all files of the positions in one table, in the order of the schema, each with a name that no other has; `index`, the
+/// number of the position, is none of them and is not a name.
+pub fn columns_of_positions(analysis: &Analysis) -> Vec<(usize, String)> {
+    let schema = analysis.positions.schema();
+    let has = |column: usize| analysis.survey.has(schema.section_of(column)) || schema.is_nullable(column);
+    let all = shown(schema, &has, |_| true);
+    let names = std::iter::once(INDEX.to_owned()).chain(all.iter().map(|(_, name)| name.clone()));
+    let names = unique(names).into_iter().skip(1);
+    all.iter().map(|(column, _)| *column).zip(names).collect()
 }
 
 /// The file of the motion over time, `trajectory.csv`, where it applies.
@@ -82,9 +96,15 @@ fn samples(schema: &Schema, has: &Has<'_>) -> Vec<(usize, String)> {
 }
 
 impl CsvTable {
+    /// The columns of the table with their names, each of which no other has; the number of the position is none of them.
+    pub fn columns(&self) -> Vec<(usize, String)> {
+        let names = unique(self.columns.iter().map(|(_, name)| name.clone()));
+        self.columns.iter().map(|(column, _)| *column).zip(names).collect()
+    }
+
     /// The header row.
     pub fn header(&self) -> Result<Vec<u8>, CsvError> {
-        let index = self.numbered.then_some("index");
+        let index = self.numbered.then_some(INDEX);
         let names = index.into_iter().chain(self.columns.iter().map(|(_, name)| name.as_str()));
         Ok(header(&names.collect::<Vec<_>>(), self.ascii)?.into_bytes())
     }

@@ -9,7 +9,7 @@ pub use ::csv::StringRecord;
 use ::csv::{ReaderBuilder, Writer};
 use assur_words::{Describe, Text, errors, name, text, to_ascii};
 
-pub use analysis::{CsvTable, FILES, of_positions, of_trajectory};
+pub use analysis::{CsvTable, FILES, INDEX, columns_of_positions, of_positions, of_trajectory};
 pub use geometry::{geometry, shaking};
 
 /// A table can't be written as CSV.
