@@ -42,7 +42,8 @@ impl<'py> FromPyObject<'_, 'py> for Points {
     type Error = PyErr;
 
     fn extract(given: Borrowed<'_, 'py, PyAny>) -> PyResult<Self> {
-        let cells = |column: Bound<'_, PyAny>| column.try_iter()?.map(|cell| value(&cell?)).collect();
+        let cells =
+            |column: Bound<'_, PyAny>| column.try_iter()?.map(|cell| value(&cell?)).collect::<PyResult<_>>();
         let each = given.call_method0("items")?.try_iter()?.map(|pair| {
             let (name, column): (String, Bound<'_, PyAny>) = pair?.extract()?;
             Ok((name, cells(column)?))

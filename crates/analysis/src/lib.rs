@@ -2,6 +2,17 @@
 //!
 //! [`Calculation::of`] decomposes a mechanism into groups, plans and compiles it; [`Calculation::analyze`] calculates
 //! the results of the scene. Knows no concrete plugin, no file and no terminal.
+//!
+//! ```
+//! use assur_all as _; // the plugins that ship
+//! use assur_analysis::{Calculation, Options, unwatched};
+//!
+//! let mechanism = assur_scene::read("shaper.toml", assur_fixtures::scene("shaper"))?;
+//! let calculation = Calculation::of(mechanism, &Options::default(), &mut unwatched)?;
+//! let analysis = calculation.analyze(&mut unwatched).expect("nothing stops it");
+//! assert_eq!(analysis.positions.len() + analysis.failures.len(), calculation.linkage.mechanism.input.positions);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 

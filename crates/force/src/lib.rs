@@ -9,6 +9,24 @@
 //!
 //! Knows no concrete analyzer, no scene file and no method of integration. SI units; forces in the ground's frame; moments
 //! counter-clockwise.
+//!
+//! The moment that holds a horizontal crank of 2 kg against its weight:
+//!
+//! ```
+//! use assur_all as _; // the methods that ship
+//! use assur_force::{Kinetostatics, LoadState, Loads, choose};
+//! use assur_group::Order;
+//!
+//! let text = "gravity = 9.81\n[ground]\npoints = { O = 0 }\n\
+//!     [link.crank]\npoints = { O = 0, A = 0.2 }\nmass = 2\ncenter = 0.1\n[input]\nlink = 'crank'\n[motion]\nspeed = 0";
+//! let linkage = assur_kinematics::Linkage::compile(assur_scene::read("crank.toml", text)?)?;
+//! let (loads, mut position) = (Loads::compile(&linkage)?, linkage.position());
+//! linkage.solve(0.0, Order::Second, &mut position)?;
+//! let mut forces = Kinetostatics::new(&linkage, &loads, choose(None, false, false)?.instance, &[]);
+//! forces.solve(&LoadState::prescribed(&linkage.mechanism, 0.0), &position)?;
+//! assert!((forces.reactions.balancing - 2.0 * 9.81 * 0.1).abs() < 1e-12);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 

@@ -9,6 +9,21 @@
 //! the motion smooth. These coordinates are found when the mechanism is compiled, so the mode of each group is known
 //! at every coordinate. Close to a change point the group's equations lose all their digits; the smooth motion is
 //! interpolated across it.
+//!
+//! Where the piston of a compressor is when its crank of 60 mm and its rod of 240 mm are in line with the guide, and that it stands still:
+//!
+//! ```
+//! use assur_all as _; // the kinds of groups that ship
+//! use assur_group::Order;
+//! use assur_kinematics::Linkage;
+//!
+//! let linkage = Linkage::compile(assur_scene::read("compressor.toml", assur_fixtures::scene("slider-crank"))?)?;
+//! let mut position = linkage.position();
+//! linkage.solve(std::f64::consts::FRAC_PI_2, Order::Second, &mut position)?;
+//! let piston = position.bodies.last().expect("the ground is one");
+//! assert!((piston.y - 0.300).abs() < 1e-12 && piston.y1.abs() < 1e-12);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 

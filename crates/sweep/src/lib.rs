@@ -26,6 +26,18 @@
 //! The scene is read once, and its numbers are set in the mechanism, wherever that is the same as reading the edited text
 //! (`variants`). Structure and plan are reused. The positions are solved eight at once, and add to statistics of what is
 //! measured. A thread keeps its memory from one point to the next.
+//!
+//! # Examples
+//!
+//! ```
+//! use assur_all as _; // the plugins that ship
+//! use assur_sweep::{Points, Sweep, SweepRequest, Vary};
+//!
+//! let vary = Vary::parse("link.crank.points.A=70 mm..95 mm:6", Points::Grid)?;
+//! let sweep = Sweep::of("four-bar.toml", assur_fixtures::scene("four-bar"), &[vary], SweepRequest::default())?;
+//! assert_eq!((sweep.points(), sweep.row(5).to_csv(false)?.starts_with("5,0.095,ok")), (6, true));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
