@@ -2,7 +2,7 @@
 
 use assur_analysis::results::{FrictionCycle, Owner, Quantity};
 use assur_book::{Column, Document, Fact, Group, Table, Unit, catalogue, row};
-use assur_words::{Text, joined, text};
+use assur_words::{Text, joined, number, text};
 
 use super::{Source, Values};
 
@@ -28,12 +28,25 @@ pub fn friction_tables(source: &Source<'_>, page: &mut Document) {
 pub(super) fn facts(cycle: &FrictionCycle, unit: Unit) -> Vec<Fact> {
     let mut facts = Vec::new();
     facts.extend(cycle.efficiency.map(|found| Fact::number("fact-efficiency", found, Unit::NONE)));
-    let intervals = [("fact-self-braking", &cycle.self_braking), ("fact-dead-angle", &cycle.dead_angles)];
-    for (id, found) in intervals {
-        // By its length, at its ends.
-        facts.extend(found.iter().map(|ends| Fact::number(id, ends[1] - ends[0], unit).at(ends, unit)));
+    let [wide, narrow] = cycle.self_braking_by_length();
+    // By its length, at its ends.
+    let fact = |id, ends: &[f64; 2]| Fact::number(id, ends[1] - ends[0], unit).at(ends, unit);
+    facts.extend(wide.iter().map(|ends| fact("fact-self-braking", ends)));
+    match &narrow[..] {
+        [] => {}
+        [only] => facts.push(fact("fact-self-braking", only)),
+        all => facts.push(narrow_ones(all, cycle.step, unit)),
     }
+    facts.extend(cycle.dead_angles.iter().map(|ends| fact("fact-dead-angle", ends)));
     facts
+}
+
+/// Several intervals shorter than a step as one fact: their whole length, at the middle of each.
+fn narrow_ones(all: &[[f64; 2]], step: f64, unit: Unit) -> Fact {
+    let length = all.iter().map(|ends| ends[1] - ends[0]).sum();
+    let middles: Vec<f64> = all.iter().map(|[from, to]| 0.5 * (from + to)).collect();
+    let fact = Fact::number("fact-self-braking-narrow", length, unit).at(&middles, unit);
+    fact.of("count", number(all.len())).of("step", unit.show(step))
 }
 
 /// Moments (forces) and powers in the shown positions.
