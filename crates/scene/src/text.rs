@@ -62,9 +62,8 @@ pub fn nearest<'k>(word: &str, known: impl IntoIterator<Item = &'k str>) -> Opti
 pub fn by_likeness<'k>(word: &str, known: impl IntoIterator<Item = &'k str>) -> Vec<&'k str> {
     // The search for a spelling takes as long as the word times each known one.
     let lower: String = appearance(word).to_lowercase().chars().take(LONGEST).collect();
-    let unlikeness = |known: &str| {
-        -strsim::normalized_damerau_levenshtein(&lower, &appearance(known).to_lowercase())
-    };
+    let unlikeness =
+        |known: &str| -strsim::normalized_damerau_levenshtein(&lower, &appearance(known).to_lowercase());
     let mut all: Vec<(f64, &str)> = known.into_iter().map(|known| (unlikeness(known), known)).collect();
     all.sort_by(|a, b| a.0.total_cmp(&b.0));
     all.into_iter().map(|(_, known)| known).collect()

@@ -15,8 +15,8 @@ pub use subjects::{of_check, of_column, of_fact, of_key, subjects};
 
 use Chapter::{Checks, Dynamics, Forces, Kinematics, Results, Structure, Task};
 use Source::{
-    Artobolevsky, Differential, Energy, EnergyExample, EnergyFigure, Longitudinal, LongitudinalFigure, Ortega,
-    Stage,
+    Artobolevsky, Differential, Energy, EnergyExample, EnergyFigure, Longitudinal, LongitudinalFigure,
+    Ortega, Stage,
 };
 
 /// A word of the field.

@@ -95,3 +95,31 @@ fn losses(source: &Source<'_>, cycle: &FrictionCycle, page: &mut Document) {
     }
     page.table(table);
 }
+
+#[cfg(test)]
+mod tests {
+    use assur_book::Value;
+
+    use super::*;
+
+    #[test]
+    fn narrow_intervals_are_one_fact_with_their_places_and_nothing_is_lost() {
+        let unit = Unit::ANGLE;
+        let self_braking = vec![[0.1, 0.101], [1.0, 1.3], [2.0, 2.002], [3.0, 3.003]];
+        let cycle = FrictionCycle { self_braking, step: 0.01, ..FrictionCycle::default() };
+        let found = facts(&cycle, unit);
+        assert_eq!(
+            found.iter().map(|fact| fact.id).collect::<Vec<_>>(),
+            ["fact-self-braking", "fact-self-braking-narrow"]
+        );
+        assert_eq!(found[0].at, [1.0, 1.3]);
+        let Value::Number(length) = found[1].value else { panic!("{:?}", found[1].value) };
+        assert!((length - 0.006).abs() < 1e-12, "{length}");
+        assert_eq!(found[1].at.len(), 3);
+        assert!(found[1].what().to_string().contains("3 places"), "{}", found[1].what());
+        // One alone is told as any other.
+        let cycle =
+            FrictionCycle { self_braking: vec![[0.1, 0.101]], step: 0.01, ..FrictionCycle::default() };
+        assert_eq!(facts(&cycle, unit)[0].id, "fact-self-braking");
+    }
+}
