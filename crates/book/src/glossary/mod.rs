@@ -171,10 +171,10 @@ entries! {
     "word-motion" "J*ε + J′*ω²/2 = Q + M_d", Some(Differential("3.10")), Some(Dynamics);
     "word-energy" "T - T_0 = A, ω = sqrt((J_0*ω_0² + 2*A)/J)", Some(Energy("1")), Some(Dynamics);
     "word-regime" "ω(q + 2*π) = ω(q)", Some(Stage("6")), Some(Dynamics);
-    "word-multiplier" "Δω(q + 2*π)/Δω(q)", Some(Stage("6")), Some(Dynamics);
+    "word-multiplier" "dω(q + 2*π)/dω(q)", Some(Stage("6")), Some(Dynamics);
     "word-unevenness" "δ = (max(ω) - min(ω))/ω_m", Some(Energy("7")), Some(Results);
-    "word-dynamic-unevenness" "χ = 2*δ/Δφ", Some(EnergyExample("2")), Some(Results);
-    "word-required-power" "P = |A_res|/(T*η)", Some(Stage("5")), Some(Dynamics);
+    "word-dynamic-unevenness" "2*δ/(φ_2 - φ_1)", Some(EnergyExample("2")), Some(Results);
+    "word-required-power" "P = |A_res|/(T*e)", Some(Stage("5")), Some(Dynamics);
     "word-excess" "A_e = max(A) - min(A)", Some(Energy("10")), Some(Results);
     "word-energy-mass" "ω² = 2*T/J", Some(Energy("10")), Some(Dynamics);
     "word-flywheel" "J = A_e/(ω_m²*δ)", Some(Energy("10")), Some(Dynamics);
