@@ -176,7 +176,8 @@ fn missing_block(mechanism: &Mechanism, pairs: &[String]) -> Option<Box<MissingB
         let excess = Excess::of(&with_block(mechanism, *index), &[]);
         excess.surplus == 0 && !excess.loose
     })?;
-    let is_at = |place: &Place| place.link == slide.link && place.at == slide.point;
+    let bits = |at: [f64; 2]| at.map(f64::to_bits);
+    let is_at = |place: &Place| place.link == slide.link && bits(place.at) == bits(slide.point);
     let point = mechanism.points.iter().find(|point| point.places.iter().any(is_at));
     Some(Box::new(MissingBlock {
         link: mechanism.links[slide.link].name.clone(),
