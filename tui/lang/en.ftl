@@ -374,6 +374,8 @@ say-no-scene = no scene is open; Enter opens the chosen one
 say-setting = `{ $setting }` takes { $allowed }, not `{ $value }`
 setting-range = { $from } to { $to }
 say-not-found = `{ $text }` was not found{ $offer }
+say-there-are = ; there are: { $names }
+say-there-are-more = ; there are, the most similar first: { $names } and { $more } more
 say-too-long = no more than { $most } bytes are taken; the rest was left out
 say-motors = `:motors` wants a power and a speed, such as `:motors 1.5 kW, 1500 rpm`
 say-no-motor-drive = the scene has no drive with a motor: add motor = "auto" to [drive]

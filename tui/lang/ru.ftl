@@ -349,6 +349,8 @@ say-no-scene = ни одной сцены не открыто; Enter откры�
 say-setting = `{ $setting }` принимает { $allowed }, а не `{ $value }`
 setting-range = от { $from } до { $to }
 say-not-found = `{ $text }` не найдено{ $offer }
+say-there-are = ; есть: { $names }
+say-there-are-more = ; есть, начиная с самых похожих: { $names } и ещё { $more }
 say-too-long = берётся не более { $most } байтов; остальное отброшено
 say-motors = `:motors` требует мощности и скорости, например `:motors 1.5 kW, 1500 rpm`
 say-no-motor-drive = у сцены нет привода с двигателем: добавьте motor = "auto" в [drive]

@@ -346,6 +346,8 @@ say-no-scene = жодної сцени не відкрито; Enter відкри
 say-setting = `{ $setting }` приймає { $allowed }, а не `{ $value }`
 setting-range = від { $from } до { $to }
 say-not-found = `{ $text }` не знайдено{ $offer }
+say-there-are = ; є: { $names }
+say-there-are-more = ; є, починаючи з найподібніших: { $names } і ще { $more }
 say-too-long = береться не більше { $most } байтів; решту відкинуто
 say-motors = `:motors` потребує потужності та швидкості, наприклад `:motors 1.5 kW, 1500 rpm`
 say-no-motor-drive = сцена не має привода з двигуном: додайте motor = "auto" до [drive]

@@ -1,12 +1,13 @@
 //! Pictures of results as files.
 
+use std::collections::HashSet;
 use std::ops::Range;
 use std::path::Path;
 
 use assur_figure::{Figure, Page, dxf, one_scale, svg};
 use assur_picture::{Arrows, Look, Picture, Results, ViewPart, find};
 use assur_png as png;
-use assur_scene::nearest;
+use assur_scene::{by_likeness, nearest};
 use assur_words::{Describe, Language, Text, Told, joined, list, name, number, text};
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
@@ -286,13 +287,11 @@ fn choose(
         let found = if is_strips {
             let strip = find::by_name(&strips, strips.len().saturating_sub(1), one);
             panels.extend(strip);
-            strip.map(|_| ()).ok_or_else(|| strips.concat())
+            strip.map(|_| ()).ok_or_else(|| strips.clone())
         } else {
             look.choose(results, (view, part), one, |text| text.render(language))
         };
-        found.map_err(|known| {
-            text!("say-not-found", text = name((*one).to_owned()), offer = suggestion(one, &known))
-        })?;
+        found.map_err(|known| not_found(one, &known))?;
         // The last series of a reaction is its modulus.
         let modulus = || results.found.as_ref()?.reactions.get(look.reaction)?.series.last().copied();
         let column = match modulus() {
@@ -303,6 +302,29 @@ fn choose(
         picked.extend(column.and_then(|column| Some(results.column(column)?.short.clone())));
     }
     Ok((picked, panels))
+}
+
+/// Most names that an error lists.
+const MOST_NAMES: usize = 12;
+
+/// What is said where nothing has a name: what there is, by the first of all its names, with those most like it first.
+fn not_found(sought: &str, known: &[Vec<String>]) -> Text {
+    let firsts = known.iter().filter_map(|names| names.first()).map(String::as_str);
+    let mut all = by_likeness(sought, firsts);
+    let mut seen = HashSet::new();
+    all.retain(|one| seen.insert(*one));
+    let text = name(sought.to_owned());
+    if all.is_empty() {
+        return text!("say-not-found", text, offer = Text::default());
+    }
+    let shown = all.len().min(MOST_NAMES);
+    let names = joined(", ", all[..shown].iter().map(|one| name((*one).to_owned())));
+    let offer = if shown < all.len() {
+        text!("say-there-are-more", names, more = all.len() - shown)
+    } else {
+        text!("say-there-are", names)
+    };
+    text!("say-not-found", text, offer)
 }
 
 /// A step of the construction that is shown, counted from 1, as a step of all constructions.

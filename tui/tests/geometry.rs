@@ -35,6 +35,15 @@ fn forms_of_the_geometry() {
     assert!(code == 0 && out.is_ascii());
     assert!(out.contains("ram/ground     350 mm      194.478, 345.522"), "{out}");
 
+    // The guide is pressed along its normal all the time: what is left of the angle is rounding, and no range.
+    assert!(out.contains("pressure angle of the line of the pins to the guide 0 deg, constant"), "{out}");
+    // A driven slide: points on its line have coordinates and derivatives of rounding.
+    let output = assur(&["geometry", "scissor-lift.toml"]);
+    let (_, out, _) = text(&output);
+    let tiny = |word: &str| word.parse::<f64>().is_ok_and(|value| value != 0.0 && value.abs() < 1e-12);
+    let lines: Vec<_> = out.lines().filter(|line| line.contains(" mm ") || line.contains(" deg ")).collect();
+    assert!(!lines.is_empty() && !lines.iter().any(|line| line.split_whitespace().any(tiny)), "{out}");
+
     let output = assur(&["geometry", "shaper.toml", "--format", "csv", "--against", "rocker"]);
     let (code, out, _) = text(&output);
     assert_eq!((code, out.lines().count()), (0, 49));

@@ -24,10 +24,21 @@ pub struct FrictionCycle {
     pub self_braking: Vec<[f64; 2]>,
     /// Intervals of the coordinate without a solution.
     pub dead_angles: Vec<[f64; 2]>,
+    /// Distance of the places between which intervals are looked for, rad or m.
+    pub step: f64,
     /// Greatest spectral radius over the cycle, where there is a solution.
     pub certificate: f64,
     /// Whether several inputs drive, each of which may drive and be driven: then there is no efficiency, and nothing brakes itself.
     pub is_of_several: bool,
+}
+
+impl FrictionCycle {
+    /// The intervals with efficiency 0, those first that are at least a step long; shorter ones lie about places at which the
+    /// balancing load changes its sense, where it passes through less than the friction takes.
+    pub fn self_braking_by_length(&self) -> [Vec<[f64; 2]>; 2] {
+        let (wide, narrow) = self.self_braking.iter().partition(|ends| ends[1] - ends[0] >= self.step);
+        [wide, narrow]
+    }
 }
 
 impl Serialize for FrictionCycle {
@@ -131,6 +142,7 @@ impl Calculation {
             friction_work: friction_work.collect(),
             self_braking: if is_of_several { Vec::new() } else { self_braking },
             dead_angles,
+            step: (high - low) / f64::from(GRID),
             certificate: cycle.certificate,
             is_of_several,
         })

@@ -97,7 +97,7 @@ fn last_place(mechanism: &Mechanism) -> Place {
 fn add_load(mechanism: &mut Mechanism, kind: &str) {
     let at = last_place(mechanism);
     let force = |direction, value| LoadKind::from(Force { at, direction, value });
-    let moment = |value| LoadKind::from(Moment { link: at.link, value });
+    let moment = |value| LoadKind::from(Moment { link: at.link, value, against_motion: false });
     let load = match kind {
         "weights" => return mechanism.gravity = Some([1.0, -9.81]),
         "constant force" => force(Direction::Link(0.4), Value::Constant(80.0)),

@@ -6,8 +6,8 @@ use std::f64::consts::PI;
 use assur_force::{Cause, LoadState, Loads, Side};
 use assur_group::{Body, Wrench};
 use assur_mechanism::{
-    Brake, Contact, Direction, Driver, Force, GROUND, LinkId, Load, LoadId, LoadKind, Mechanism, Moment,
-    Place, Spring, Value,
+    Contact, Direction, Driver, Force, GROUND, LinkId, Load, LoadId, LoadKind, Mechanism, Moment, Place,
+    Spring, Value,
 };
 
 use crate::kinetics::{inertia_terms, own_inertia};
@@ -111,12 +111,18 @@ impl<'a> Writer<'a> {
         };
         let (link, item) = match load {
             LoadKind::Force(force) => (force.at.link, self.force(now, id, force)),
-            LoadKind::Moment(Moment { link, value }) => {
+            LoadKind::Moment(Moment { link, value, against_motion: true }) => {
+                (*link, moment(self.against(now, id, *link, (value, 1.0))))
+            }
+            LoadKind::Moment(Moment { link, value, .. }) => {
                 let given = now.given(cause, *link).m;
                 let place = Place { link: *link, at: [0.0; 2] };
                 (*link, moment(self.size(now, value, place, None, given)))
             }
-            LoadKind::Brake(brake) => (brake.link, moment(self.brake(now, id, brake))),
+            LoadKind::Brake(brake) => {
+                let law = (&brake.force, brake.moment_of_unit_force());
+                (brake.link, moment(self.against(now, id, brake.link, law)))
+            }
             LoadKind::Spring(spring) if spring.ends[0].link == spring.ends[1].link => return,
             LoadKind::Spring(spring) => return self.spring(now, id, spring, items),
             LoadKind::Contact(contact) => (contact.center.link, self.contact(now, id, contact)),
@@ -242,25 +248,25 @@ impl<'a> Writer<'a> {
         self.at(body, force.at.at, along.map(|a| size.value * a), size.terms * terms)
     }
 
-    /// The moment of a brake: against the rotation of its link.
-    fn brake(&self, now: &Now<'_>, id: LoadId, brake: &Brake) -> Size {
-        let given = now.given(Cause::Load(id), brake.link).m;
-        let body = &now.bodies[brake.link];
+    /// A moment against the rotation of its link, as that of a brake, from its law and its moment where the law gives 1.
+    fn against(&self, now: &Now<'_>, id: LoadId, link: LinkId, (law, unit): (&Value, f64)) -> Size {
+        let given = now.given(Cause::Load(id), link).m;
+        let body = &now.bodies[link];
         let speed = body.w1 * now.state.speed;
-        let place = Place { link: brake.link, at: [0.0; 2] };
-        let lever = -speed.signum() * brake.moment_of_unit_force();
+        let place = Place { link, at: [0.0; 2] };
+        let lever = -speed.signum() * unit;
         // At rest up to rounding the moment is zero, or of either sense.
         let rests = speed == 0.0 || body.w1.abs() <= REST * (body.w2.abs() + 1.0);
         let found = if lever == 0.0 { 0.0 } else { given / lever };
         if rests {
             // The sense of the motion is not known, so neither is that of the force behind the moment.
-            let either = [found, -found].map(|found| self.size(now, &brake.force, place, None, found).value);
+            let either = [found, -found].map(|found| self.size(now, law, place, None, found).value);
             let most = either.into_iter().fold(0.0, |most, force| f64::max(most, (lever * force).abs()));
             let value = if given.abs() <= most { given } else { most.copysign(given) };
             return Size { value, terms: given.abs() };
         }
-        let size = self.size(now, &brake.force, place, None, found);
-        Size { value: lever * size.value, terms: brake.moment_of_unit_force().abs() * size.terms }
+        let size = self.size(now, law, place, None, found);
+        Size { value: lever * size.value, terms: unit.abs() * size.terms }
     }
 
     fn spring(&self, now: &Now<'_>, id: LoadId, spring: &Spring, items: &mut Items) {

@@ -13,7 +13,8 @@ const PAPER: f64 = 150.0;
 pub struct PlanVector {
     /// Short name: `R(A)`, `v(B)`.
     pub name: Text,
-    /// Its symbol in print, with the points in a subscript: `v_{B}`, `a^{n}_{BA}`.
+    /// Its symbol in print, with the points in a subscript: `v_{B}`, `a^{n}_{BA}`; of a load in a force polygon `F4`, with the
+    /// number that it has on the links; else its name.
     #[serde(skip)]
     pub symbol: Text,
     /// The small letter of its tip in a plan of velocities or accelerations: `a`; of the point of a guide under `A` it is
@@ -76,6 +77,15 @@ impl VectorPlan {
         let (size, unit) = (length(vector), self.unit.clone());
         let (symbol, image) = (name.clone(), String::new());
         self.items.push(PlanVector { name, symbol, image, kind, start, end, size, unit, note });
+        end
+    }
+
+    /// Adds a vector that has a symbol of its own; returns its end.
+    pub(crate) fn push_as(&mut self, symbol: Text, start: [f64; 2], component: Component) -> [f64; 2] {
+        let end = self.push(start, component);
+        if let Some(item) = self.items.last_mut() {
+            item.symbol = symbol;
+        }
         end
     }
 

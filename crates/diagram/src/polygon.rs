@@ -87,7 +87,10 @@ impl Drawer<'_> {
     /// Draws the loads of a link, then the reactions from other bodies; returns the last corner.
     fn sides(&self, plan: &mut VectorPlan, link: LinkId, links: &[LinkId], mut corner: [f64; 2]) -> [f64; 2] {
         let mechanism = &self.linkage.mechanism;
-        for load in self.loads.iter().filter(|load| load.link == link && load.wrench.force() != [0.0, 0.0]) {
+        let own = |load: &Acting| load.link == link && load.wrench.force() != [0.0, 0.0];
+        for (number, load) in self.loads.iter().enumerate().filter(|(_, load)| own(load)) {
+            // The number that the load has on the links and in every other polygon.
+            let symbol = |after: &str| name(format!("F{}{after}", number + 1));
             let kind = match load.cause {
                 Cause::Weight(_) => VectorKind::Weight,
                 Cause::Inertia(_) => VectorKind::Inertia,
@@ -97,16 +100,17 @@ impl Drawer<'_> {
             let told = Text::from(load.cause.name(mechanism));
             if let Some([normal, friction]) = load.parts(mechanism, self.bodies) {
                 let normal_of = text!("plan-normal-of-contact", contact = &told);
-                corner = plan.push(corner, (kind, normal_of, normal, note()));
+                corner = plan.push_as(symbol(""), corner, (kind, normal_of, normal, note()));
                 let friction_of = text!("plan-friction-of-contact", contact = told);
-                corner = plan.push(corner, (kind, friction_of, friction, note()));
+                corner = plan.push_as(symbol("′"), corner, (kind, friction_of, friction, note()));
                 continue;
             }
-            corner = plan.push(corner, (kind, told, load.wrench.force(), note()));
+            corner = plan.push_as(symbol(""), corner, (kind, told, load.wrench.force(), note()));
         }
         for (_, force) in self.balance.iter().filter(|(loaded, _)| *loaded == link) {
             let note = text!("plan-balancing-on", link = &mechanism.links[link].name);
-            corner = plan.push(corner, (VectorKind::Balancing, name("Fb"), *force, note));
+            let balancing = (VectorKind::Balancing, name("Fb"), *force, note);
+            corner = plan.push_as(name("Fb"), corner, balancing);
         }
         let outside = |other: LinkId| other == GROUND || !links.contains(&other);
         for (joint, force, note) in self.pairs(link, outside) {

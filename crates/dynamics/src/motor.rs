@@ -6,7 +6,7 @@ use assur_mechanism::{MotorChoice, Torque};
 use assur_motor::{
     Candidate, Characteristic, CharacteristicKind, Motor, MotorFilter, MotorWarning, PassedOver,
     SelectionRequest, catalogues, check_breakdown, check_rms, check_rotor_inertia, check_starting,
-    find_motor, list_motors, nearest, rms_torque, select,
+    find_motor, list_motors, nearest, rms_torque, select, starting_torque,
 };
 use assur_words::{name, text};
 use serde::Serialize;
@@ -138,6 +138,9 @@ pub struct MotorWork {
     pub rms_torque: f64,
     /// Torque of the load at rest on the motor shaft, N m: the greatest of all positions of the cycle.
     pub starting_load: f64,
+    /// Torque of the motor at rest, N m; `None` where neither catalogue nor characteristic gives it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub starting_torque: Option<f64>,
     /// The characteristic up to a tenth above the synchronous speed: speed, torque.
     pub curve: Vec<[f64; 2]>,
     /// The working section: speed, torque.
@@ -170,8 +173,16 @@ impl SteadyMotor {
         let warnings = warnings.into_iter().flatten().collect();
         let curve = curve(&characteristic, [0.0, 1.1 * characteristic.synchronous_speed]);
         let working_section = self::curve(&characteristic, speed);
-        let work =
-            MotorWork { characteristic, speed, torque, rms_torque, starting_load, curve, working_section };
+        let work = MotorWork {
+            characteristic,
+            speed,
+            torque,
+            rms_torque,
+            starting_load,
+            starting_torque: starting_torque(&characteristic, starting_ratio),
+            curve,
+            working_section,
+        };
         let DriveMotor { motor, runners_up, passed_over, .. } = motor;
         Self { motor, work, runners_up, passed_over, warnings }
     }

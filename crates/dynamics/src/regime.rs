@@ -156,6 +156,11 @@ pub struct AdvisedRegime {
     /// Breakdown torque over this greatest torque, where it is known.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub torque_reserve: Option<f64>,
+    /// Torque of the load at rest on the motor shaft, N m: the greatest of all positions of the cycle.
+    pub starting_load: f64,
+    /// Torque of the motor at rest, N m, where it is known.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub starting_torque: Option<f64>,
 }
 
 impl AdvisedRegime {
@@ -169,7 +174,14 @@ impl AdvisedRegime {
             flywheel: found.regime.flywheel,
             greatest_torque,
             torque_reserve: reserve.filter(|ratio| ratio.is_finite()),
+            starting_load: work.starting_load,
+            starting_torque: work.starting_torque,
         })
+    }
+
+    /// Whether the motor starts against the load at rest; `None` where its torque at rest is not known.
+    pub fn starts(&self) -> Option<bool> {
+        self.starting_torque.map(|torque| torque >= self.starting_load)
     }
 }
 

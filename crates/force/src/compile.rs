@@ -140,16 +140,14 @@ impl<'a> Compiler<'a> {
                 };
                 Action::Force(PointForce { at, along, rests })
             }
+            LoadKind::Moment(moment) if moment.against_motion => {
+                self.needs_motion(text!("force-moment-against-motion"))?;
+                Action::Brake(self.shoe(moment.link, 1.0))
+            }
             LoadKind::Moment(moment) => Action::Moment(moment.link),
             LoadKind::Brake(brake) => {
                 self.needs_motion(text!("force-brake"))?;
-                let rests = self.rests(|body| [[body.w1, 0.0], [body.w2, 0.0]], brake.link);
-                Action::Brake(Shoe {
-                    link: brake.link,
-                    reach: self.linkage.structure.scale,
-                    lever: brake.moment_of_unit_force(),
-                    rests,
-                })
+                Action::Brake(self.shoe(brake.link, brake.moment_of_unit_force()))
             }
             LoadKind::Spring(spring) => {
                 if spring.damping != 0.0 {
@@ -159,6 +157,12 @@ impl<'a> Compiler<'a> {
             }
             LoadKind::Contact(contact) => Action::Contact(Box::new(self.contact(contact, loads)?)),
         })
+    }
+
+    /// What is against the rotation of a link; `lever`: its moment where its law gives 1.
+    fn shoe(&self, link: LinkId, lever: f64) -> Shoe {
+        let rests = self.rests(|body| [[body.w1, 0.0], [body.w2, 0.0]], link);
+        Shoe { link, reach: self.linkage.structure.scale, lever, rests }
     }
 
     fn contact(&self, contact: &Contact, loads: &Loads) -> Result<ArcContact, LoadFault> {

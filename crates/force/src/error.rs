@@ -68,9 +68,8 @@ impl Describe for LoadError {
                 column = *column,
                 most = *most
             ),
-            LoadFault::NoPosition(coordinate, error) => {
-                text!("force-no-position", load, coordinate = at(coordinate), cause = error.describe())
-            }
+            // The cause names the coordinate.
+            LoadFault::NoPosition(_, error) => text!("force-no-position", load, cause = error.describe()),
         }
     }
 }

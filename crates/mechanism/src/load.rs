@@ -53,8 +53,10 @@ pub enum Direction {
 pub struct Moment {
     /// The link.
     pub link: LinkId,
-    /// Its size, N m, counter-clockwise positive.
+    /// Its size, N m, counter-clockwise positive; against the motion, positive where it resists.
     pub value: Value,
+    /// Whether it is always against the rotation of the link, and none at rest.
+    pub against_motion: bool,
 }
 
 /// The shoe on the disc of a brake: its moment is against the rotation of the link, and none at rest.
@@ -208,8 +210,9 @@ impl LoadKind {
     pub fn is_against_motion(&self) -> bool {
         match self {
             Self::Force(force) => force.direction == Direction::AgainstMotion,
+            Self::Moment(moment) => moment.against_motion,
             Self::Brake(_) => true,
-            Self::Moment(_) | Self::Spring(_) | Self::Contact(_) => false,
+            Self::Spring(_) | Self::Contact(_) => false,
         }
     }
 

@@ -27,7 +27,8 @@ pub(super) fn conclusions(context: &Context<'_>, page: &mut Document) {
         }
     }
     let motor = analysis.dynamics.iter().flat_map(|found| &found.motor).flat_map(|motor| &motor.warnings);
-    let weak = analysis.warnings.iter().map(Text::from).chain(motor.map(|warning| Text::from(&warning.text)));
+    let told = analysis.warnings.iter().filter(|warning| !warning.is_mistake()).map(Text::from);
+    let weak = told.chain(motor.map(|warning| Text::from(&warning.text)));
     let weak: Vec<Text> = weak.collect();
     if weak.is_empty() {
         page.paragraph(text!("note-concluded-nothing-weak"));

@@ -251,7 +251,9 @@ fn limits(context: &Context<'_>, page: &mut Document) {
     let model = if has_friction { "note-model-text-friction" } else { "note-model-text" };
     page.paragraph(text!(model));
     let (analysis, broken) = (&context.found.analysis, &context.results.broken);
-    analysis.warnings.iter().for_each(|note| page.paragraph(Text::from(note)));
+    // What is probably not meant in the scene is for who writes it, and is told beside the note.
+    let told = analysis.warnings.iter().filter(|warning| !warning.is_mistake());
+    told.for_each(|note| page.paragraph(Text::from(note)));
     let positions = |all: Vec<usize>| list(all.into_iter().map(number));
     if !broken.is_empty() {
         page.paragraph(text!("note-no-position", positions = positions(broken.keys().copied().collect())));

@@ -22,8 +22,8 @@ pub(crate) struct Acting<'a> {
 }
 
 impl<'a> Acting<'a> {
-    /// The contacts in any case; the loads of the scene, all loads with the moment of the drive, or the reactions with the balancing load,
-    /// where they are wanted.
+    /// The contacts in any case; the loads of the scene, all loads with the moment of the drive, or the reactions with that of the drive
+    /// or the balancing load, where they are wanted.
     pub(crate) fn of(
         results: &'a Results,
         wanted: Arrows,
@@ -113,7 +113,9 @@ impl<'a> Acting<'a> {
             }
         }
         let drives = mechanism.input.placed().any(|link| self.concerns(link));
-        if let Some([drive, _]) = found.drive_in(self.state).filter(|_| all_wanted && drives) {
+        // A drive keeps up the motion in the place of a balancing load.
+        let is_wanted = drives && (all_wanted || wanted == Arrows::Reactions);
+        if let Some([drive, _]) = found.drive_in(self.state).filter(|_| is_wanted) {
             let told = catalogue::kind(Column::of(Quantity::ReducedLoad, Owner::Input));
             self.on_input(None, drive, &text!("index-of-drive"), &told);
         }

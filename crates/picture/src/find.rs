@@ -11,14 +11,14 @@ impl Look<'_> {
     ///
     /// # Errors
     ///
-    /// All names by which something can be found, where nothing has this one.
+    /// What can be found, where nothing has this name: of each all its names, first the one that tells it from the others.
     pub fn choose(
         &mut self,
         results: &Results,
         shown: (Picture, ViewPart),
         sought: &str,
         told: impl Fn(&Text) -> String,
-    ) -> Result<(), Vec<String>> {
+    ) -> Result<(), Vec<Vec<String>>> {
         let names = self.names(results, shown, &told);
         let now = match shown {
             (Picture::Forces, _) => self.reaction,
@@ -29,7 +29,7 @@ impl Look<'_> {
             _ => self.column,
         };
         let Some(index) = by_name(&names, now, sought) else {
-            return Err(names.into_iter().flatten().collect());
+            return Err(names);
         };
         match shown {
             (Picture::Forces, _) => self.reaction = index,
@@ -48,7 +48,7 @@ impl Look<'_> {
         Ok(())
     }
 
-    /// The names of what a part of a picture can show, each with all of its own: in words, as the head of a table, as in files.
+    /// The names of what a part of a picture can show, each with all of its own: the whole one first, then its parts, as in files.
     fn names(
         &self,
         results: &Results,
@@ -63,7 +63,7 @@ impl Look<'_> {
                 let names = |reaction: &Reaction| {
                     let of = reaction.of.iter().flat_map(|(pair, link)| [pair.to_string(), link.to_string()]);
                     let columns = reaction.series.iter().chain(&reaction.moment).filter_map(series);
-                    of.chain([told(&reaction.name)]).chain(columns).collect()
+                    [told(&reaction.name)].into_iter().chain(of).chain(columns).collect()
                 };
                 found.iter().flat_map(|found| &found.reactions).map(names).collect()
             }
@@ -87,7 +87,7 @@ impl Look<'_> {
                 };
                 let in_files = |series: &Series| catalogue::csv(schema, series.column);
                 let names = |series: &Series| {
-                    let told = [told(&series.of), told(&series.head), told(&series.told())];
+                    let told = [told(&series.told()), told(&series.of), told(&series.head)];
                     told.into_iter().chain([series.short.clone()]).chain(in_files(series)).collect()
                 };
                 results.columns().map(names).collect()

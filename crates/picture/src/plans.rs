@@ -209,6 +209,9 @@ fn label(part: ViewPart, item: &PlanVector, number: usize) -> String {
     match (part, item.kind) {
         (ViewPart::Forces, VectorKind::Reaction) => format!("R{}", number + 1),
         (ViewPart::Forces, VectorKind::Inner) => "..".to_owned(),
+        // A load has one number in all polygons and on the links.
+        (ViewPart::Forces, VectorKind::Balancing) => item.symbol.to_string(),
+        (ViewPart::Forces, _) if item.symbol != item.name => item.symbol.to_string(),
         (ViewPart::Forces, _) => format!("F{}", number + 1),
         (_, VectorKind::Absolute) => item.image.clone(),
         _ => "..".to_owned(),

@@ -59,7 +59,7 @@ pub use error::{SceneError, SceneErrors};
 pub use note::{Chapter, Note};
 pub use reading::{Reading, SceneNumber};
 pub use sheet::{SHEET_FIELDS, Sheet, SheetField, SheetFormat, SheetPositions};
-pub use text::nearest;
+pub use text::{by_likeness, nearest};
 pub use units::{Dimension, LEAST, Unit, UnitError, UnitFault, quantity};
 
 assur_words::resources!();

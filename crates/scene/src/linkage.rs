@@ -136,7 +136,7 @@ impl SceneLinks {
         }
         // Made only while faults are kept: the search for the nearest name takes time.
         entry.faults.note(|| {
-            let near = nearest(name, known.clone());
+            let near = nearest(name, known.clone()).or_else(|| turned_around(name, known.clone()));
             let label = match (near, known.clone().next()) {
                 (Some(_), _) => did_you_mean(name, near),
                 (None, None) => text!("scene-none-of-them", what = words(what)),
@@ -226,6 +226,12 @@ impl SceneLinks {
             text!("scene-points-of-link", points = row(names))
         }
     }
+}
+
+/// The known slide of the same two links, of a name that has them in the other order: `ram/ground` of `ground/ram`.
+fn turned_around<'n>(name: &str, mut known: impl Iterator<Item = &'n str>) -> Option<&'n str> {
+    let (one, other) = name.split_once('/')?;
+    known.find(|known| known.split_once('/') == Some((other, one)))
 }
 
 /// Coordinates [x, y] in m, or one number on the x axis.

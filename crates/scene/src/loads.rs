@@ -60,17 +60,23 @@ pub(crate) const SORTS: [Sort; 5] = [
 fn force(section: &Section<'_>, context: &Context<'_>, id: LoadId) -> Option<LoadKind> {
     let direction = direction(section, context);
     let value = value::sized(section, "value", Dimension::Force, true, context, id);
-    if let (Some(Direction::AgainstMotion), Some(Value::Constant(size)), Some(entry)) =
-        (&direction, &value, section.get("value"))
-        && *size < 0.0
-    {
-        entry.faults.mistake(entry.span.clone(), text!("scene-negative-against"));
+    if matches!(direction, Some(Direction::AgainstMotion)) {
+        warn_of_negative(section, value.as_ref());
     }
     let link = context.linkage.link_of(section, text!("scene-ground-carries"));
     let at = section.need("at").and_then(|entry| {
         context.linkage.place(&entry, link?, move |scene| Some(&mut scene.loads[id].kind.force_mut()?.at))
     });
     Some(Force { at: at?, direction: direction?, value: value? }.into())
+}
+
+/// Tells of a load against the motion that drives, since its value is negative.
+fn warn_of_negative(section: &Section<'_>, value: Option<&Value>) {
+    if let (Some(Value::Constant(size)), Some(entry)) = (value, section.get("value"))
+        && *size < 0.0
+    {
+        entry.faults.mistake(entry.span.clone(), text!("scene-negative-against"));
+    }
 }
 
 fn direction(section: &Section<'_>, context: &Context<'_>) -> Option<Direction> {
@@ -93,9 +99,14 @@ fn direction(section: &Section<'_>, context: &Context<'_>) -> Option<Direction> 
 }
 
 fn moment(section: &Section<'_>, context: &Context<'_>, id: LoadId) -> Option<LoadKind> {
+    let against = section.get("against_motion").filter(|entry| entry.flag() != Some(false));
     let value = value::sized(section, "value", Dimension::Moment, false, context, id);
+    if let Some(entry) = &against {
+        context.need_motion(entry, quoted("against_motion"));
+        warn_of_negative(section, value.as_ref());
+    }
     let link = context.linkage.link_of(section, text!("scene-ground-carries"));
-    Some(Moment { link: link?, value: value? }.into())
+    Some(Moment { link: link?, value: value?, against_motion: against.is_some() }.into())
 }
 
 fn brake(section: &Section<'_>, context: &Context<'_>, id: LoadId) -> Option<LoadKind> {

@@ -58,6 +58,17 @@ pub fn nearest<'k>(word: &str, known: impl IntoIterator<Item = &'k str>) -> Opti
     best.map(|(_, candidate)| candidate)
 }
 
+/// The known words, those with nearly the same spelling as `word` first; equally near ones keep their order.
+pub fn by_likeness<'k>(word: &str, known: impl IntoIterator<Item = &'k str>) -> Vec<&'k str> {
+    // The search for a spelling takes as long as the word times each known one.
+    let lower: String = appearance(word).to_lowercase().chars().take(LONGEST).collect();
+    let unlikeness =
+        |known: &str| -strsim::normalized_damerau_levenshtein(&lower, &appearance(known).to_lowercase());
+    let mut all: Vec<(f64, &str)> = known.into_iter().map(|known| (unlikeness(known), known)).collect();
+    all.sort_by(|a, b| a.0.total_cmp(&b.0));
+    all.into_iter().map(|(_, known)| known).collect()
+}
+
 /// "did you mean `x`?" of a word, or an empty text. Of two that look the same it says which letters differ.
 pub(crate) fn did_you_mean(word: &str, near: Option<&str>) -> Text {
     let Some(near) = near else { return Text::default() };

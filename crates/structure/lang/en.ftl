@@ -19,7 +19,9 @@ structure-dependent-input = input `{ $input }`: what it drives is already determ
 structure-surplus = mobility { $mobility } ({ $formula }), must be { $inputs }: { $pairs } { $count ->
         [one] gives
        *[other] give
-    } one constraint too many on { $links }; remove one pair or one link there ({ structure-what-joins }: points that are not pins need names of their own){ $cause }
+    } one constraint too many on { $links }; remove one pair or one link there ({ structure-what-joins }: points that are not pins need names of their own){ $block }{ $cause }
+structure-missing-block = ; if a pin is meant to move along a slot of `{ $on }`, its slide block is missing: a link of its own that is pinned to `{ $link }`{ $at } and slides on `{ $on }`
+structure-at-point = {" "}at `{ $point }`
 structure-no-plugin = { $links } form a group of class { $class }, order { $order } ({ $pattern }); no plugin is registered for it (see `assur plugins`; another input link may give other groups)
 structure-pattern = inner { $inner }; outer { $outer }
 structure-what-joins = a point name used in two links makes a pin there

@@ -22,7 +22,9 @@ structure-dependent-input = вхід `{ $input }`: те, що він рухає,
 structure-surplus = ступінь рухомості { $mobility } ({ $formula }), а має бути { $inputs }: { $pairs } { $count ->
         [one] дає
        *[other] дають
-    } одну зайву в’язь; там { $links }; приберіть звідти одну пару або одну ланку ({ structure-what-joins }: точки, що не є шарнірами, повинні мати власні імена){ $cause }
+    } одну зайву в’язь; там { $links }; приберіть звідти одну пару або одну ланку ({ structure-what-joins }: точки, що не є шарнірами, повинні мати власні імена){ $block }{ $cause }
+structure-missing-block = ; якщо палець має рухатися вздовж паза ланки `{ $on }`, то бракує його каменя: окремої ланки, яка з’єднана шарніром із ланкою `{ $link }`{ $at } і ковзає по `{ $on }`
+structure-at-point = {" "}у точці `{ $point }`
 structure-no-plugin = { $links } утворюють групу класу { $class }, порядку { $order } ({ $pattern }); для неї не зареєстровано плагіна (див. `assur plugins`; інша вхідна ланка може дати інші групи)
 structure-pattern = внутрішні { $inner }; зовнішні { $outer }
 structure-what-joins = ім’я точки, ужите у двох ланках, утворює там шарнір

@@ -3,12 +3,14 @@
 use std::collections::{HashMap, HashSet, VecDeque};
 
 use assur_group::{GroupFrame, Pair, plugin_for};
-use assur_mechanism::{Driver, GROUND, Input, InputPair, LinkId, Mechanism, Name, PairId, Point, likeness};
+use assur_mechanism::{
+    Driver, GROUND, Input, InputPair, LinkId, Mechanism, Name, PairId, Place, Point, Slide, SlideId, likeness,
+};
 use assur_words::{Text, joined, name, text};
 
 use crate::frame::{Incidence, LeftOut, driven_pairs, frame_of, pair_alone, typical_length};
 use crate::graph::{Block, Graph, Node};
-use crate::{Group, Mobility, NamedPair, Passive, PassivePart, Structure, StructureError};
+use crate::{Group, MissingBlock, Mobility, NamedPair, Passive, PassivePart, Structure, StructureError};
 
 impl Structure {
     /// Decomposes a mechanism into Assur groups.
@@ -143,7 +145,7 @@ fn refuse_other_mobility(
         let mut seen = HashSet::new();
         let pairs = blocks.into_iter().map(|block| mechanism.pair_name(graph.blocks[block].source));
         let pairs = pairs.filter(|name| seen.insert(*name)).map(ToString::to_string);
-        (pairs.collect(), links_of(graph, &nodes))
+        (pairs.collect::<Vec<_>>(), links_of(graph, &nodes))
     });
     let loose = links_of(graph, &graph.loose());
     if !loose.is_empty() {
@@ -161,7 +163,39 @@ fn refuse_other_mobility(
         // Both ends of the surplus pair are known (ground and input link).
         links.push(mechanism.input.first().link);
     }
-    Err(StructureError::Surplus { counted, inputs, pairs, links: names(&links), why: Box::default() })
+    let block = missing_block(mechanism, &pairs);
+    Err(StructureError::Surplus { counted, inputs, pairs, links: names(&links), block, why: Box::default() })
+}
+
+/// The first of some slides in which a link turns against its guide as a pin in a slot would, if a slide block of its own carried the
+/// pin: with it the input determines the mechanism, and the sliding link is held by another pair.
+fn missing_block(mechanism: &Mechanism, pairs: &[String]) -> Option<Box<MissingBlock>> {
+    let is_among = |slide: &Slide| pairs.iter().any(|pair| *pair == slide.name.to_string());
+    let mut all = mechanism.slides.iter().enumerate().filter(|(_, slide)| is_among(slide));
+    let (_, slide) = all.find(|(index, _)| {
+        let excess = Excess::of(&with_block(mechanism, *index), &[]);
+        excess.surplus == 0 && !excess.loose
+    })?;
+    let bits = |at: [f64; 2]| at.map(f64::to_bits);
+    let is_at = |place: &Place| place.link == slide.link && bits(place.at) == bits(slide.point);
+    let point = mechanism.points.iter().find(|point| point.places.iter().any(is_at));
+    Some(Box::new(MissingBlock {
+        link: mechanism.links[slide.link].name.clone(),
+        on: mechanism.links[slide.on].name.clone(),
+        point: point.map(|point| point.name.clone()),
+    }))
+}
+
+/// A mechanism with a massless block in a slide: the sliding link is pinned to it at its point, and the block slides.
+fn with_block(mechanism: &Mechanism, slide: SlideId) -> Mechanism {
+    let mut changed = mechanism.clone();
+    let block = changed.links.len();
+    let Slide { link, point, .. } = changed.slides[slide];
+    let places = vec![Place { link, at: point }, Place { link: block, at: [0.0; 2] }];
+    changed.links.push(changed.links[link].clone());
+    changed.points.push(Point { name: Name::default(), places });
+    changed.slides[slide].link = block;
+    changed
 }
 
 /// Of several inputs the first that those before it determine.

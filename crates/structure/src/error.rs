@@ -6,6 +6,26 @@ use assur_words::{Describe, Text, list, name, number, quantity, text};
 
 use crate::Mobility;
 
+/// A slide of two links in which a slide block may be missing: their pin moves along a slot, and the links turn on each other.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct MissingBlock {
+    /// The link that slides, to which the block would be pinned.
+    pub link: Name,
+    /// The link with the slot.
+    pub on: Name,
+    /// The point of the pin, where the slide names one.
+    pub point: Option<Name>,
+}
+
+impl MissingBlock {
+    /// What is said of it, as the rest of a sentence.
+    fn text(&self) -> Text {
+        let at = self.point.as_ref().map(|point| text!("structure-at-point", point = Text::from(point)));
+        let [link, on] = [&self.link, &self.on].map(Text::from);
+        text!("structure-missing-block", link, on, at = at.unwrap_or_default())
+    }
+}
+
 /// Why a mechanism can't be decomposed into groups.
 #[derive(Clone, PartialEq)]
 pub enum StructureError {
@@ -43,6 +63,8 @@ pub enum StructureError {
         pairs: Vec<String>,
         /// Links that they lock.
         links: Vec<String>,
+        /// The slide in which a block may be missing.
+        block: Option<Box<MissingBlock>>,
         /// Why no part of it is passive, as the rest of a sentence; may be empty.
         why: Box<Text>,
     },
@@ -162,7 +184,7 @@ impl Describe for StructureError {
                 inputs = number(inputs),
                 input = Text::from(&**input)
             ),
-            Self::Surplus { counted, inputs, pairs, links, why } => text!(
+            Self::Surplus { counted, inputs, pairs, links, block, why } => text!(
                 "structure-surplus",
                 inputs = number(inputs),
                 mobility = number(counted.value),
@@ -170,6 +192,7 @@ impl Describe for StructureError {
                 pairs = text!("structure-pairs", count = pairs.len(), pairs = some(pairs, "`")),
                 count = pairs.len(),
                 links = links_named(links),
+                block = block.as_deref().map_or_else(Text::default, MissingBlock::text),
                 cause = &**why
             ),
             Self::SlideAngles { slide, off, tilt, .. } => {

@@ -25,7 +25,7 @@ mod taken_apart;
 assur_words::resources!();
 
 pub use compose::Excess;
-pub use error::StructureError;
+pub use error::{MissingBlock, StructureError};
 pub use taken_apart::{Group, Mobility, NamedPair, Passive, PassivePart, Structure, roman};
 
 #[cfg(test)]

@@ -95,6 +95,47 @@ fn a_surplus_pair_is_named() {
     assert_eq!(links, &["coupler", "rocker", "third"]);
 }
 
+/// A crank whose pin moves in a slot of a rocker that drives a ram.
+const SLOTTED: &str = "[ground]
+points = { O = [0, 0], C = [0, -0.4] }
+[link.crank]
+points = { O = 0, A = 0.1 }
+[link.rocker]
+points = { C = 0, D = 0.7 }
+[link.rod]
+points = { D = 0, E = 0.2 }
+[link.ram]
+points = { E = 0 }
+[[slide]]
+link = \"crank\"
+on = \"rocker\"
+point = \"A\"
+[[slide]]
+link = \"ram\"
+on = \"ground\"
+through = [0, 0.35]
+[input]
+link = \"crank\"
+";
+
+#[test]
+fn a_pin_in_a_slot_without_a_block_is_told_what_is_missing() {
+    let error = structure(SLOTTED).unwrap_err();
+    let StructureError::Surplus { block: Some(block), .. } = &error else { panic!("{error}") };
+    let [link, on] = [&block.link, &block.on].map(ToString::to_string);
+    assert_eq!((link.as_str(), on.as_str()), ("crank", "rocker"));
+    assert!(error.to_string().contains("pinned to `crank` at `A` and slides on `rocker`"), "{error}");
+    // With the block that it asks for there is nothing to refuse.
+    let block = "[link.block]\npoints = { A = 0 }\n[[slide]]\nlink = \"block\"\non = \"rocker\"\n";
+    let slide = "[[slide]]\nlink = \"crank\"\non = \"rocker\"\npoint = \"A\"\n";
+    structure(&SLOTTED.replace(slide, block)).unwrap();
+    // A surplus of pins has nothing to do with a block.
+    let pins = FOUR_BAR
+        .replace("C = [0.5, 0]", "C = [0.5, 0], D = [0.2, 0.1]")
+        .replace("[input]", "[link.third]\npoints = { D = 0, E = 0.1 }\n[input]");
+    assert!(matches!(structure(&pins), Err(StructureError::Surplus { block: None, .. })));
+}
+
 #[test]
 fn loose_here_and_surplus_there_is_said_at_once() {
     let text = FOUR_BAR.replace("C = [0.5, 0]", "C = [0.5, 0], D = [0.2, 0.1]").replace(

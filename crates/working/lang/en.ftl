@@ -124,12 +124,12 @@ working-differences = What the method gives minus what was found group by group:
 # The energy form.
 working-energy-way = Displacement of the input
 working-energy-turns = in turns:
-working-energy-works = Works of the loads
+working-energy-works = Works of drive and loads
 working-energy-work-is = The work of a load is the integral of its moment on the input over the coordinate: the area under the graph of the moment. A load that resists does negative work.
 working-energy-work-of = Work of { $load }:
 working-energy-by-quadrature = by quadrature over the motion
 working-energy-moment-at = at { $at }
-working-energy-sums = Sums of the works of the driving and of the resisting loads; each load is in one of them with its work over the whole motion, whereas the results count it as driving wherever it drives:
+working-energy-sums = Sums of the works of what drives and of what resists; the drive and each load are in one of them with their work over the whole motion, whereas the results count a load as driving wherever it drives:
 working-energy-excess = Excess work
 working-energy-change = It is the change of the kinetic energy:
 working-energy-at-start = kinetic energy at the start

@@ -1,6 +1,6 @@
 //! The area under the graph of a moment of the scene.
 
-use assur_mechanism::{Brake, LawTable, LoadId, LoadKind, Mechanism, Over, Value};
+use assur_mechanism::{LawTable, LinkId, LoadId, LoadKind, Mechanism, Over, Value};
 
 /// Straight lines, each from a coordinate and a moment to a coordinate and a moment.
 pub(crate) type Area = Vec<[[f64; 2]; 2]>;
@@ -12,8 +12,14 @@ const MOST: usize = 12;
 /// coordinate, does not act on the input link as a moment, or has very many lines.
 pub(crate) fn area_under(mechanism: &Mechanism, load: LoadId, [from, to]: [f64; 2]) -> Option<Area> {
     let found = match &mechanism.loads.get(load)?.kind {
+        LoadKind::Moment(found) if found.against_motion => {
+            return braking(mechanism, found.link, (&found.value, 1.0), [from, to]);
+        }
         LoadKind::Moment(found) => found,
-        LoadKind::Brake(brake) => return braking(mechanism, brake, [from, to]),
+        LoadKind::Brake(brake) => {
+            let law = (&brake.force, brake.moment_of_unit_force());
+            return braking(mechanism, brake.link, law, [from, to]);
+        }
         _ => return None,
     };
     if Some(found.link) != mechanism.input.crank() || !mechanism.input.is_angle() {
@@ -29,13 +35,18 @@ pub(crate) fn area_under(mechanism: &Mechanism, load: LoadId, [from, to]: [f64; 
     }
 }
 
-/// The constant moment of a brake, against the motion.
-fn braking(mechanism: &Mechanism, brake: &Brake, [from, to]: [f64; 2]) -> Option<Area> {
-    let Value::Constant(force) = &brake.force else { return None };
-    if Some(brake.link) != mechanism.input.crank() || !mechanism.input.is_angle() {
+/// A constant moment against the motion, from its law and its moment where the law gives 1.
+fn braking(
+    mechanism: &Mechanism,
+    link: LinkId,
+    (law, unit): (&Value, f64),
+    [from, to]: [f64; 2],
+) -> Option<Area> {
+    let Value::Constant(value) = law else { return None };
+    if Some(link) != mechanism.input.crank() || !mechanism.input.is_angle() {
         return None;
     }
-    let moment = -brake.moment_of_unit_force() * force * (to - from).signum();
+    let moment = -unit * value * (to - from).signum();
     Some(vec![[[from, moment], [to, moment]]])
 }
 

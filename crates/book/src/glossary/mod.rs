@@ -15,7 +15,8 @@ pub use subjects::{of_check, of_column, of_fact, of_key, subjects};
 
 use Chapter::{Checks, Dynamics, Forces, Kinematics, Results, Structure, Task};
 use Source::{
-    Artobolevsky, Differential, Energy, EnergyFigure, Longitudinal, LongitudinalFigure, Ortega, Stage,
+    Artobolevsky, Differential, Energy, EnergyExample, EnergyFigure, Longitudinal, LongitudinalFigure,
+    Ortega, Stage,
 };
 
 /// A word of the field.
@@ -44,6 +45,8 @@ pub enum Source {
     Energy(&'static str),
     /// A figure of the same.
     EnergyFigure(&'static str),
+    /// An example of the same.
+    EnergyExample(&'static str),
     /// A section of the paper on the equation of motion in differential form.
     Differential(&'static str),
     /// An equation of the paper of Vladimirov and Kuznetsov on longitudinal reactions.
@@ -82,6 +85,7 @@ impl Source {
             Stage(place) => text!("glossary-s", place = name(place)),
             Energy(place) => text!("glossary-e", place = name(place)),
             EnergyFigure(place) => text!("glossary-e-figure", place = name(place)),
+            EnergyExample(place) => text!("glossary-e-example", place = name(place)),
             Differential(place) => text!("glossary-d", place = name(place)),
             Longitudinal(place) => text!("glossary-l", place = name(place)),
             LongitudinalFigure(place) => text!("glossary-l-figure", place = name(place)),
@@ -167,13 +171,18 @@ entries! {
     "word-motion" "J*ε + J′*ω²/2 = Q + M_d", Some(Differential("3.10")), Some(Dynamics);
     "word-energy" "T - T_0 = A, ω = sqrt((J_0*ω_0² + 2*A)/J)", Some(Energy("1")), Some(Dynamics);
     "word-regime" "ω(q + 2*π) = ω(q)", Some(Stage("6")), Some(Dynamics);
+    "word-multiplier" "dω(q + 2*π)/dω(q)", Some(Stage("6")), Some(Dynamics);
     "word-unevenness" "δ = (max(ω) - min(ω))/ω_m", Some(Energy("7")), Some(Results);
+    "word-dynamic-unevenness" "2*δ/(φ_2 - φ_1)", Some(EnergyExample("2")), Some(Results);
+    "word-required-power" "P = |A_res|/(T*e)", Some(Stage("5")), Some(Dynamics);
     "word-excess" "A_e = max(A) - min(A)", Some(Energy("10")), Some(Results);
     "word-energy-mass" "ω² = 2*T/J", Some(Energy("10")), Some(Dynamics);
     "word-flywheel" "J = A_e/(ω_m²*δ)", Some(Energy("10")), Some(Dynamics);
     "word-gear-ratio" "u = ω_d/ω", Some(Stage("6")), Some(Dynamics);
     "word-kloss" "M = 2*M_k/(s/s_k + s_k/s)", Some(Stage("5")), Some(Dynamics);
     "word-slip" "s = 1 - ω/ω_s", Some(Stage("5")), Some(Dynamics);
+    "word-starting-torque" "M_0 = 2*M_k/(1/s_k + s_k)", Some(Stage("5")), Some(Dynamics);
+    "word-rms" "sqrt(mean(M²))", None, Some(Dynamics);
     "word-residual" "", None, Some(Checks);
     "word-remainder" "M_b + Q - J*ε - J′*ω²/2", Some(Stage("8")), Some(Checks);
     "word-global" "M_b = M_d - J_d*ε", Some(Stage("10")), Some(Checks);

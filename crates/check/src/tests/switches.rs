@@ -41,7 +41,7 @@ fn specimen(seed: u64) -> Option<(Mechanism, f64)> {
     let link = 1 + rng.below(mechanism.links.len() - 1);
     let moment = formula(&mut rng, Terms { motion, place: false }, &variables);
     let value = Value::Formula { formula: moment, factor: 1.0, axis: None };
-    mechanism.loads.push(Load::new("by formula", Moment { link, value }));
+    mechanism.loads.push(Load::new("by formula", Moment { link, value, against_motion: false }));
     let full = matches!(mechanism.input.range, Range::Cycle(_));
     let size = formula(&mut rng, Terms { motion, place: full }, &variables);
     let axis = size.used().place.then(|| rng.angle());
@@ -147,7 +147,7 @@ fn checks_hold_where_a_formula_is_zero() {
             let mut mechanism = mechanism.clone();
             let (link, formula) = (2.min(mechanism.links.len() - 1), Formula::read(formula).unwrap());
             let value = Value::Formula { formula, factor: 1.0, axis: None };
-            mechanism.loads.push(Load::new("zero", Moment { link, value }));
+            mechanism.loads.push(Load::new("zero", Moment { link, value, against_motion: false }));
             let all = crate::checks(&Linkage::compile(mechanism).unwrap());
             assert!(super::hold(&all), "{name}\n{}", show(&all));
         }

@@ -1,6 +1,8 @@
-use assur_force::{LoadState, Loads};
+use assur_force::{Acting, LoadState, Loads};
 use assur_geometry::{CenterAt, instant_centers};
 use assur_group::plane::{minus, plus};
+use assur_kinematics::Linkage;
+use assur_words::Text;
 
 use super::{all, reactions, solved, state};
 use crate::plan::length;
@@ -27,6 +29,7 @@ fn polygons_close() {
             let plans = force_polygons(&linkage, &position, &list, &found);
             assert_eq!(plans.len(), linkage.structure.groups.len() + 1);
             for plan in plans {
+                numbers_are_those_of_the_loads(&plan, &linkage, &list);
                 assert!(left_open(&plan) < 1e-10, "{name} {index} {}: {}", plan.title, left_open(&plan));
                 assert!(plan.residual < 1e-10);
                 ends_meet(&plan);
@@ -35,6 +38,17 @@ fn polygons_close() {
         }
     }
     assert!(polygons > 500, "{polygons}");
+}
+
+/// A force with a number is that of the load with this number, in every polygon.
+fn numbers_are_those_of_the_loads(plan: &VectorPlan, linkage: &Linkage, loads: &[Acting]) {
+    for item in plan.items.iter().filter(|item| item.kind != VectorKind::Balancing) {
+        let symbol = item.symbol.to_string();
+        let Some(number) = symbol.strip_prefix('F').filter(|_| item.symbol != item.name) else { continue };
+        let load = &loads[number.trim_end_matches('\u{2032}').parse::<usize>().unwrap() - 1];
+        let name = Text::from(load.cause.name(&linkage.mechanism)).to_string();
+        assert!(item.name.to_string().contains(&name), "{}: {symbol} is not {name}", plan.title);
+    }
 }
 
 /// Each side begins where the one before ends, and the diagonal ends in the first corner.

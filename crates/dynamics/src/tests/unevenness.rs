@@ -5,7 +5,7 @@ use approx::assert_relative_eq;
 use assur_fixtures::scene;
 
 use super::compiled;
-use crate::{DynamicsError, Steady, advise, section_margin, steady};
+use crate::{AdvisedRegime, DynamicsError, Steady, advise, section_margin, steady};
 
 fn solved(unevenness: &str, characteristic: &str) -> Result<Steady, DynamicsError> {
     let text = scene("shaper-drive")
@@ -63,6 +63,18 @@ fn advice_is_the_regime_with_that_motor() {
         let text = text.replace("unevenness = 0.05", "unevenness = \"motor\"") + &drive;
         let (linkage, loads) = compiled(&text);
         let own = steady(&linkage, &loads, None).unwrap();
-        assert_relative_eq!(one.regime.unwrap().unevenness, own.regime.figures.unevenness);
+        let advised = one.regime.unwrap();
+        assert_relative_eq!(advised.unevenness, own.regime.figures.unevenness);
+        // Its torque at rest is that of its characteristic, and it is told to start where its warnings don't deny it.
+        let work = &own.motor.as_ref().unwrap().work;
+        assert_relative_eq!(advised.starting_load, work.starting_load, max_relative = 1e-9);
+        let ratio = one.motor.starting_torque_ratio;
+        let torque = ratio.map(|ratio| ratio * work.characteristic.rated_torque);
+        assert_eq!(advised.starting_torque, torque.or_else(|| work.characteristic.starting_torque()));
+        let warnings = &own.motor.as_ref().unwrap().warnings;
+        let denied = warnings.iter().any(|warning| warning.text.to_string().starts_with("starting torque"));
+        assert_eq!(advised.starts(), Some(!denied));
+        let weak = AdvisedRegime { starting_torque: Some(0.5 * advised.starting_load), ..advised };
+        assert_eq!(weak.starts(), Some(false));
     }
 }

@@ -36,7 +36,7 @@ fn a_moment_has_no_stroke() {
     let text = error(|mechanism| {
         let table = LawTable::constant(1.0);
         let value = Value::Stroke { axis: 0.0, forward: table.clone(), back: table };
-        mechanism.loads.push(Load::new("drag", Moment { link: 1, value }));
+        mechanism.loads.push(Load::new("drag", Moment { link: 1, value, against_motion: false }));
     });
     assert_eq!(
         text,

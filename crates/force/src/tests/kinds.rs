@@ -113,6 +113,17 @@ fn a_moment() {
 }
 
 #[test]
+fn a_moment_against_the_motion_turns_with_its_sense() {
+    let text = "[[moment]]\nlink = \"arm\"\nvalue = 7\nagainst_motion = true\n";
+    for (speed, wanted) in [(3.0, -7.0), (-3.0, 7.0), (0.0, 0.0)] {
+        near(moment(text, at(1.0, speed)), wanted, 1.0);
+    }
+    // A brake of this moment is the same load.
+    let brake = "[[brake]]\nlink = \"arm\"\nforce = 35\nradius = 0.5\nfriction = 0.2\nlever = 2\n";
+    near(moment(brake, at(1.0, -3.0)), 7.0, 1.0);
+}
+
+#[test]
 fn spring_and_damper() {
     // Upright: A = (0, 0.5), d = G - A = (1, -0.5), PF1 of A = (-0.5, 0), dL/dq = 0.5 / L.
     let length = 1.25_f64.sqrt();

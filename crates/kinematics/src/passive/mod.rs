@@ -51,10 +51,17 @@ fn angles_of_slides(mechanism: &Mechanism, links: &[String]) -> Option<Structure
 /// Decomposes a mechanism into Assur groups, without its passive parts where it counts constraints that repeat others.
 pub fn decompose(mechanism: &Mechanism) -> Result<Structure, StructureError> {
     match Structure::of(mechanism) {
-        Err(StructureError::Surplus { counted, inputs, pairs, links, .. }) => {
+        Err(StructureError::Surplus { counted, inputs, pairs, links, block, .. }) => {
             search::without_passive(mechanism).map_err(|why| {
                 let angles = angles_of_slides(mechanism, &links);
-                angles.unwrap_or(StructureError::Surplus { counted, inputs, pairs, links, why: why.into() })
+                angles.unwrap_or(StructureError::Surplus {
+                    counted,
+                    inputs,
+                    pairs,
+                    links,
+                    block,
+                    why: why.into(),
+                })
             })
         }
         found => found,

@@ -63,6 +63,7 @@ pub fn motor_facts(found: &SteadyMotor) -> Vec<Fact> {
         Some(Fact::range("fact-working-torque", work.torque, Unit::MOMENT)),
         some("fact-rms-torque", Some(work.rms_torque), Unit::MOMENT),
         some("fact-starting-load", Some(work.starting_load), Unit::MOMENT),
+        some("fact-starting-torque", work.starting_torque, Unit::MOMENT),
     ]
     .into_iter()
     .flatten()
@@ -143,6 +144,15 @@ pub fn advice(motors: &[Advice], count: usize, page: &mut Document) {
     compared(motors, page);
 }
 
+/// Whether a motor starts the mechanism; empty where its torque at rest is not known.
+fn starts(regime: &AdvisedRegime) -> Text {
+    match regime.starts() {
+        Some(true) => text!("report-starts"),
+        Some(false) => text!("report-starts-not"),
+        None => Text::default(),
+    }
+}
+
 /// The table of the motors, and the usual values.
 fn compared(motors: &[Advice], page: &mut Document) {
     let of = |motor: &Advice, value: fn(&AdvisedRegime) -> f64| motor.regime.as_ref().map(value);
@@ -151,6 +161,9 @@ fn compared(motors: &[Advice], page: &mut Document) {
         .column(text!("head-ratio"), |motor| of(motor, |regime| regime.ratio))
         .measured(text!("head-flywheel"), Unit::INERTIA, |motor| of(motor, |regime| regime.flywheel))
         .column(text!("head-reserve"), |motor| motor.regime.as_ref().and_then(|regime| regime.torque_reserve))
+        .measured(text!("head-starting-torque"), Unit::MOMENT, |motor| motor.regime.as_ref()?.starting_torque)
+        .measured(text!("head-starting-load"), Unit::MOMENT, |motor| of(motor, |regime| regime.starting_load))
+        .column(text!("head-starts"), |motor| motor.regime.as_ref().map_or_else(Text::default, starts))
         .measured(text!("head-mass"), Unit::KILOGRAM, |one| one.motor.mass);
     page.table(table.table());
     let range = |[least, most]: [f64; 2]| {

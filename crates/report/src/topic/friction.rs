@@ -2,7 +2,7 @@
 
 use assur_analysis::results::{FrictionCycle, Owner, Quantity};
 use assur_book::{Column, Document, Fact, Group, Table, Unit, catalogue, row};
-use assur_words::{Text, joined, text};
+use assur_words::{Text, joined, number, text};
 
 use super::{Source, Values};
 
@@ -28,12 +28,25 @@ pub fn friction_tables(source: &Source<'_>, page: &mut Document) {
 pub(super) fn facts(cycle: &FrictionCycle, unit: Unit) -> Vec<Fact> {
     let mut facts = Vec::new();
     facts.extend(cycle.efficiency.map(|found| Fact::number("fact-efficiency", found, Unit::NONE)));
-    let intervals = [("fact-self-braking", &cycle.self_braking), ("fact-dead-angle", &cycle.dead_angles)];
-    for (id, found) in intervals {
-        // By its length, at its ends.
-        facts.extend(found.iter().map(|ends| Fact::number(id, ends[1] - ends[0], unit).at(ends, unit)));
+    let [wide, narrow] = cycle.self_braking_by_length();
+    // By its length, at its ends.
+    let fact = |id, ends: &[f64; 2]| Fact::number(id, ends[1] - ends[0], unit).at(ends, unit);
+    facts.extend(wide.iter().map(|ends| fact("fact-self-braking", ends)));
+    match &narrow[..] {
+        [] => {}
+        [only] => facts.push(fact("fact-self-braking", only)),
+        all => facts.push(narrow_ones(all, cycle.step, unit)),
     }
+    facts.extend(cycle.dead_angles.iter().map(|ends| fact("fact-dead-angle", ends)));
     facts
+}
+
+/// Several intervals shorter than a step as one fact: their whole length, at the middle of each.
+fn narrow_ones(all: &[[f64; 2]], step: f64, unit: Unit) -> Fact {
+    let length = all.iter().map(|ends| ends[1] - ends[0]).sum();
+    let middles: Vec<f64> = all.iter().map(|[from, to]| 0.5 * (from + to)).collect();
+    let fact = Fact::number("fact-self-braking-narrow", length, unit).at(&middles, unit);
+    fact.of("count", number(all.len())).of("step", unit.show(step))
 }
 
 /// Moments (forces) and powers in the shown positions.
@@ -81,4 +94,32 @@ fn losses(source: &Source<'_>, cycle: &FrictionCycle, page: &mut Document) {
         table.row(row![joined("", [Text::from(source.mechanism.pair_name(friction.pair))]), *work]);
     }
     page.table(table);
+}
+
+#[cfg(test)]
+mod tests {
+    use assur_book::Value;
+
+    use super::*;
+
+    #[test]
+    fn narrow_intervals_are_one_fact_with_their_places_and_nothing_is_lost() {
+        let unit = Unit::ANGLE;
+        let self_braking = vec![[0.1, 0.101], [1.0, 1.3], [2.0, 2.002], [3.0, 3.003]];
+        let cycle = FrictionCycle { self_braking, step: 0.01, ..FrictionCycle::default() };
+        let found = facts(&cycle, unit);
+        assert_eq!(
+            found.iter().map(|fact| fact.id).collect::<Vec<_>>(),
+            ["fact-self-braking", "fact-self-braking-narrow"]
+        );
+        assert_eq!(found[0].at, [1.0, 1.3]);
+        let Value::Number(length) = found[1].value else { panic!("{:?}", found[1].value) };
+        assert!((length - 0.006).abs() < 1e-12, "{length}");
+        assert_eq!(found[1].at.len(), 3);
+        assert!(found[1].what().to_string().contains("3 places"), "{}", found[1].what());
+        // One alone is told as any other.
+        let cycle =
+            FrictionCycle { self_braking: vec![[0.1, 0.101]], step: 0.01, ..FrictionCycle::default() };
+        assert_eq!(facts(&cycle, unit)[0].id, "fact-self-braking");
+    }
 }

@@ -58,7 +58,10 @@ fn given(mechanism: &Mechanism, load: &LoadKind) -> (Text, Text) {
             (list([acts_at(mechanism, *at), direction(*along)]), law(value, Unit::FORCE.name))
         }
         LoadKind::Moment(moment) => {
-            (text!("given-moment", link = link(moment.link)), law(&moment.value, Unit::MOMENT.name))
+            let acts = text!("given-moment", link = link(moment.link));
+            let acts =
+                if moment.against_motion { list([acts, text!("given-against-rotation")]) } else { acts };
+            (acts, law(&moment.value, Unit::MOMENT.name))
         }
         LoadKind::Brake(brake) => {
             let what = text!(

@@ -1,5 +1,7 @@
 //! The geometry of the motion as tables.
 
+use std::f64::consts::FRAC_PI_2;
+
 use assur_book::{Column, Document, Group, Table, Unit, zero_if_rounding};
 use assur_geometry::{AtPosition, Centers, Geometry, PartCourse, Stroke};
 use assur_mechanism::Named;
@@ -85,14 +87,20 @@ fn extremes(found: &Geometry, unit: Unit, page: &mut Document) {
         add(of, text!("geometry-modulus", of = second.clone()), &at.pf2, length[2]);
     }
     page.heading(text!("geometry-extremes"));
+    // What is rounding beside the greatest of its unit is zero: a point on a line, a link that does not turn.
+    let greatest = |unit: Unit| {
+        let same = rows.iter().filter(|(.., own)| own.name == unit.name);
+        same.flat_map(|(_, _, at, _)| [at.min.abs(), at.max.abs()]).fold(0.0, f64::max)
+    };
+    let rows: Vec<_> = rows.iter().map(|row| (row.0, row.1.clone(), row.2, row.3, greatest(row.3))).collect();
     let table = Table::each(Text::default(), rows)
         .column(text!("head-of"), |(of, ..)| Text::from(*of))
         .column(text!("head-quantity"), |(_, what, ..)| what.clone())
-        .column(text!("head-unit"), |(.., unit)| assur_words::unit(unit.name))
-        .column(text!("head-least"), |(.., at, unit)| unit.number(zero_if_rounding(at.min, at.max)))
-        .measured(text!("head-at"), unit, |(.., at, _)| at.at_min)
-        .column(text!("head-greatest"), |(.., at, unit)| unit.number(zero_if_rounding(at.max, at.min)))
-        .measured(text!("head-at"), unit, |(.., at, _)| at.at_max);
+        .column(text!("head-unit"), |(_, _, _, unit, _)| assur_words::unit(unit.name))
+        .column(text!("head-least"), |(.., at, unit, kind)| unit.number(zero_if_rounding(at.min, *kind)))
+        .measured(text!("head-at"), unit, |(.., at, _, _)| at.at_min)
+        .column(text!("head-greatest"), |(.., at, unit, kind)| unit.number(zero_if_rounding(at.max, *kind)))
+        .measured(text!("head-at"), unit, |(.., at, _, _)| at.at_max);
     page.table(table.table());
 }
 
@@ -103,7 +111,13 @@ fn force_angles(found: &Geometry, unit: Unit, page: &mut Document) {
     page.heading(text!("geometry-force-angles"));
     for (group, at) in &found.groups {
         let ends = &at.extremes;
-        let [least, most] = [ends.min, ends.max].map(|angle| Unit::ANGLE.show(angle));
+        // Rounding beside a right angle, of which both angles are a part.
+        let clean = |angle| zero_if_rounding(angle, FRAC_PI_2);
+        let [least, most] = [ends.min, ends.max].map(|angle| Unit::ANGLE.show(clean(angle)));
+        if clean(ends.max - ends.min) == 0.0 {
+            page.paragraph(text!("geometry-force-angle-constant", group, what = &at.what, angle = most));
+            continue;
+        }
         let [at_least, at_most] = [ends.at_min, ends.at_max].map(|at| unit.show(at));
         page.paragraph(text!("geometry-force-angle", group, what = &at.what, least, at_least, most, at_most));
     }

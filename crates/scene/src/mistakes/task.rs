@@ -194,6 +194,9 @@ fn drives_clockwise(mechanism: &Mechanism, load: &Load) -> bool {
     const SPEEDS: [f64; 6] = [-1000.0, -30.0, -1.0, 1.0, 30.0, 1000.0];
     let (LoadKind::Moment(moment), input) = (&load.kind, &mechanism.input) else { return false };
     let Value::Formula { formula, .. } = &moment.value else { return false };
+    if moment.against_motion {
+        return false;
+    }
     let by_speed = formula.used() == Used { speed: true, ..Used::default() };
     let at = |speed: f64| formula.value(&Variables { speed, ..Variables::default() });
     let turns = Some(moment.link) == input.crank() && input.is_angle() && input.sign() < 0.0;

@@ -236,6 +236,25 @@ fn the_input() {
 }
 
 #[test]
+fn a_slide_by_its_links_in_the_other_order_is_told_by_its_name() {
+    let text = format!("{BASE}\n[[friction]]\npair = \"ground/piston\"\ncoefficient = 0.1\n");
+    let errors = read("engine.toml", &text).unwrap_err();
+    assert!(errors.to_string().contains("did you mean `piston/ground`?"), "{errors}");
+}
+
+#[test]
+fn a_moment_against_the_motion_needs_one_and_a_positive_value() {
+    let moment = "\n[[moment]]\nlink = \"crank\"\nagainst_motion = true\nvalue = -5\n";
+    let scene = read("engine.toml", &format!("{BASE}{moment}")).unwrap();
+    let moment_of = |load: &assur_mechanism::Load| load.kind.moment().is_some_and(|one| one.against_motion);
+    assert!(scene.loads.iter().any(moment_of));
+    assert!(scene.warnings.iter().any(|one| one.text.to_string().contains("leave the minus sign out")));
+    let still = format!("{}{moment}", BASE.replace("[motion]\nspeed = \"900 rpm\"", ""));
+    let errors = read("engine.toml", &still).unwrap_err().to_string();
+    assert!(errors.contains("against_motion"), "{errors}");
+}
+
+#[test]
 fn loads() {
     snapshot(
         "loads",

@@ -37,7 +37,8 @@ pub(crate) fn add(draft: &mut Draft, mechanism: &mut Mechanism) {
     for index in 0..draft.rng.below(3) {
         let link = moving(draft, mechanism);
         let value = value(draft, mechanism, draft.size, false);
-        mechanism.loads.push(Load::new(format!("moment {index}"), Moment { link, value }));
+        let moment = Moment { link, value, against_motion: false };
+        mechanism.loads.push(Load::new(format!("moment {index}"), moment));
     }
     for index in 0..draft.rng.below(3) {
         let spring = spring(draft, mechanism);
@@ -69,7 +70,8 @@ pub(crate) fn add_over_time(draft: &mut Draft, mechanism: &mut Mechanism) {
     }
     if draft.rng.chance(0.6) {
         let (link, value) = (moving(draft, mechanism), draft.rng.signed(5.0, 120.0) * draft.size);
-        mechanism.loads.push(Load::new("moment", Moment { link, value: Value::Constant(value) }));
+        let moment = Moment { link, value: Value::Constant(value), against_motion: false };
+        mechanism.loads.push(Load::new("moment", moment));
     }
     let spring = spring(draft, mechanism).filter(|_| draft.rng.chance(0.5));
     mechanism.loads.extend(spring.map(|spring| Load::new("spring", spring)));

@@ -170,6 +170,9 @@ fn write_loads(text: &mut String, m: &Mechanism) -> Out {
             LoadKind::Moment(moment) => {
                 let link = &m.links[moment.link].name;
                 writeln!(text, "\n[[moment]]\nname = {name:?}\nlink = {link:?}")?;
+                if moment.against_motion {
+                    writeln!(text, "against_motion = true")?;
+                }
                 writeln!(text, "value = {}", value(m, &moment.value))?;
             }
             LoadKind::Brake(brake) => {

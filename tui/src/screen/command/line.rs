@@ -234,13 +234,13 @@ pub(super) fn search(state: &mut State, text: &str) {
         _ => pictured(state, text),
     };
     if let Err(known) = found {
-        let offer = suggestion(text, &known);
+        let offer = suggestion(text, &known.concat());
         state.say(Role::Bad, text!("say-not-found", text = words::name(text.to_owned()), offer));
     }
 }
 
 /// Chooses the next row of the list of a view in which a text occurs.
-fn row(state: &mut State, view: View, wanted: &str) -> Result<(), Vec<String>> {
+fn row(state: &mut State, view: View, wanted: &str) -> Result<(), Vec<Vec<String>>> {
     let of_value =
         |value: &SceneValue| std::iter::once((&value.key).into()).chain(words_of(&value.key)).collect();
     let rows: Vec<Vec<Text>> = match (view, state.found()) {
@@ -253,12 +253,12 @@ fn row(state: &mut State, view: View, wanted: &str) -> Result<(), Vec<String>> {
     let rows: Vec<_> = rows.into_iter().map(told).collect();
     let (chosen, _) = act::list(state, view);
     let found = find::by_name(&rows, *chosen, wanted);
-    *chosen = found.ok_or_else(|| rows.into_iter().flatten().collect::<Vec<_>>())?;
+    *chosen = found.ok_or(rows)?;
     Ok(())
 }
 
 /// Chooses what the picture of the view shows, or a quantity.
-fn pictured(state: &mut State, wanted: &str) -> Result<(), Vec<String>> {
+fn pictured(state: &mut State, wanted: &str) -> Result<(), Vec<Vec<String>>> {
     let Some(scene) = &state.scene else { return Ok(()) };
     let shown = (state.view.picture().unwrap_or(Picture::Curves), state.part(state.view));
     let mut look = state.pictured();

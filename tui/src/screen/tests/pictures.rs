@@ -6,7 +6,7 @@ use assur_analysis::results::{Column, Owner, Quantity};
 use assur_analysis::{Options, unwatched};
 use assur_figure::{Item, Sample};
 use assur_mechanism::Surfaces;
-use assur_picture::{Picture, Results};
+use assur_picture::{Arrows, Picture, Results};
 use assur_words::Language;
 use strum::VariantNames;
 
@@ -66,6 +66,13 @@ fn a_request_without_a_meaning_is_refused_in_words() {
         refused(PictureArgs { show: Some("nothing".into()), ..request("forces") }, "x.svg")
             .contains("nothing")
     );
+    // What there is, the most similar first, each once and not all of very many.
+    let absent = PictureArgs { show: Some("rockers".into()), ..request("curves") };
+    let told = refused(absent, "x.svg");
+    let (_, names) = told.split_once(": ").unwrap();
+    let listed: Vec<_> = names.split(" and ").next().unwrap().split(", ").collect();
+    assert!(listed.len() == 12 && listed[0].contains("rocker") && names.ends_with(" more"), "{told}");
+    assert!((1..listed.len()).all(|index| !listed[..index].contains(&listed[index])), "{told}");
     assert!(refused(request("curves"), "x.pdf").contains(".svg, .png or .dxf"));
     assert!(refused(PictureArgs { animate: true, ..request("mechanism") }, "x.png").contains("SVG"));
 }
@@ -291,6 +298,15 @@ fn quantities_of_one_unit_lie_over_each_other_in_a_picture() {
     match draw(&analyzed("press", &unknown), &unknown) {
         Err(StillError::Request(text)) => assert!(text.to_string().contains("nothing"), "{text}"),
         other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn reactions_are_drawn_with_what_keeps_up_the_motion() {
+    let request = PictureArgs { arrows: Some(Arrows::Reactions), ..request("mechanism") };
+    for (scene, keeps) in [("shaper", "balancing load"), ("shaper-drive", "moment of the drive")] {
+        let shown = texts(scene, &request);
+        assert!(shown.iter().any(|text| text.contains(keeps)), "{scene}: {shown:?}");
     }
 }
 

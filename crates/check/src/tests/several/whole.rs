@@ -238,7 +238,7 @@ impl Whole<'_> {
                     powers.push(constant(value) * (x * virtually[at] + y * virtually[at + 1]));
                     at += 2;
                 }
-                LoadKind::Moment(Moment { link, value }) => {
+                LoadKind::Moment(Moment { link, value, .. }) => {
                     powers.push(constant(value) * virtually[3 * (link - 1) + 2]);
                 }
                 LoadKind::Spring(Spring { stiffness, length, damping, .. }) => {

@@ -92,7 +92,8 @@ fn acts(mechanism: &Mechanism, load: &LoadKind) -> Text {
             listed([text!("model-at-point", link = link(force.at.link)), law(&force.value), direction])
         }
         LoadKind::Moment(moment) => {
-            text!("model-moment", link = link(moment.link), law = law(&moment.value))
+            let told = text!("model-moment", link = link(moment.link), law = law(&moment.value));
+            if moment.against_motion { listed([told, text!("model-against-rotation")]) } else { told }
         }
         LoadKind::Brake(brake) => text!("model-brake", link = link(brake.link), law = law(&brake.force)),
         LoadKind::Spring(spring) => {
@@ -279,7 +280,7 @@ fn missing_friction(mechanism: &Mechanism) -> Option<Text> {
         let elsewhere = || say("missing-friction-elsewhere", "missing-friction-elsewhere-how");
         return (!everywhere).then(elsewhere);
     }
-    let forces = |load: &&Load| load.kind.force().is_some() && load.kind.is_against_motion();
+    let forces = |load: &&Load| load.kind.brake().is_none() && load.kind.is_against_motion();
     let opposed = listed(mechanism.loads.iter().filter(forces).map(|load| (&load.name).into()));
     let how = if opposed.is_empty() {
         text!("missing-friction-how")

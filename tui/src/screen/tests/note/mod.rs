@@ -43,6 +43,19 @@ fn visible(html: &str) -> String {
 }
 
 #[test]
+fn advice_on_the_scene_is_not_part_of_the_note() {
+    let text = assur_fixtures::scene("shaper").replace("D = [0.17, 0.28]", "D = [9, 9]");
+    let session = Session::read(Source::New, text).unwrap();
+    let results = session.analyzed(&Options::default(), true, &mut unwatched).unwrap();
+    let warnings = &results.found.as_ref().unwrap().analysis.warnings;
+    let advice: Vec<String> =
+        warnings.iter().filter(|one| one.is_mistake()).map(|one| one.text.to_string()).collect();
+    assert!(advice.iter().any(|text| text.contains("[assembly]")), "{advice:?}");
+    let note = written(&results, "en", Form::Markdown).text;
+    assert!(!note.contains("assembly]"), "{note}");
+}
+
+#[test]
 fn no_english_word_is_left_in_another_language() {
     for scene in
         ["shaper-drive", "press", "conveyor", "guide-shaper", "stephenson3", "brake", "andrews", "run-up"]
