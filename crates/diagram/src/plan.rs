@@ -13,7 +13,7 @@ const PAPER: f64 = 150.0;
 pub struct PlanVector {
     /// Short name: `R(A)`, `v(B)`.
     pub name: Text,
-    /// Its symbol in print, with the points in a subscript: `v_{B}`, `a^{n}_{BA}`.
+    /// Its symbol in print, with the points in a subscript: `v_B`, `a^n_BA`.
     #[serde(skip)]
     pub symbol: Text,
     /// The small letter of its tip in a plan of velocities or accelerations: `a`; of the point of a guide under `A` it is

@@ -54,9 +54,9 @@ impl Scale {
         Self { size: round_up(least, &SCALES), ..Self::of(symbol, unit) }
     }
 
-    /// `μ_{v} = 0.05 m/s/mm` where a millimeter is so many units of the plane; nothing without a symbol.
+    /// `μ_v = 0.05 m/s/mm` where a millimeter is so many units of the plane; nothing without a symbol.
     pub(crate) fn factor(&self, units: f64) -> Option<Text> {
-        let symbol = (!self.symbol.is_empty()).then(|| name(format!("μ_{{{}}}", self.symbol)))?;
+        let symbol = (!self.symbol.is_empty()).then(|| name("μ").below(name(self.symbol)))?;
         // A round number without a power of ten, however small.
         let digits = plain(self.size * units);
         let digits = digits.parse::<f64>().map_or(digits, |value| value.to_string());

@@ -81,7 +81,7 @@ fn polygons(context: &Context<'_>, page: &mut Document) {
     let (results, found) = (context.results, context.found);
     let numbered = context.language.with_marks(mechanism::numbers(&results.linkage.mechanism));
     // Links have their numbers in symbols, as in the formulas.
-    let in_print = |text: &Text| name(text.render(&numbered));
+    let in_print = |text: &Text| name(text.typeset(&numbered));
     for (polygon, links) in polygons::bodies(results).iter().enumerate() {
         let vectors = |position: &usize| {
             let all = polygons::vectors(results, *position, polygon, links).into_iter();

@@ -16,8 +16,8 @@ const FAR: f64 = 1.5;
 const SHORT: f64 = 0.02;
 /// Space around a construction, as part of its size.
 const AROUND: f64 = 0.06;
-/// Names of the poles of the plans of velocities and of accelerations: a point P has the image p.
-const POLES: [&str; 2] = ["p_{v}", "p_{a}"];
+/// Subscripts of the poles of the plans of velocities and of accelerations: a point P has the image p.
+const POLES: [&str; 2] = ["v", "a"];
 /// What the plans of a position show.
 #[derive(Debug)]
 pub enum Shown<'a> {

@@ -42,7 +42,7 @@ impl Source<'_> {
                 _ => ["F", "h"].map(|symbol| joined(", ", [name(symbol), place.clone()])).into(),
             });
         }
-        let line = |text: &Text, language: &Language| text.render(language).replace('`', "");
+        let line = |text: &Text, language: &Language| text.typeset(language).replace('`', "");
         let none = || vec![name("–"); count];
         let cells = |row: &Row| {
             let values = (0..self.plans.len())
@@ -54,7 +54,7 @@ impl Source<'_> {
             words.chain(values.iter().map(|own| line(own, self.language))).collect()
         };
         let table = Table {
-            title: title.render(self.language),
+            title: title.typeset(self.language),
             head: head.iter().map(|own| line(own, self.language)).collect(),
             rows: rows.iter().map(cells).collect(),
             words,
@@ -95,12 +95,12 @@ impl Source<'_> {
         /// Rows that a sheet has.
         const MOST: usize = 24;
         let facts = topic::summary(&self.found.analysis, &self.results.linkage);
-        let line = |text: &Text, language: &Language| text.render(language).replace('`', "");
+        let line = |text: &Text, language: &Language| text.typeset(language).replace('`', "");
         // The formula of the structure has the numbers of the links.
         let row =
             |fact: &Fact| vec![line(&fact.what(), self.language), line(&fact.with_unit(), self.numbered)];
         let rows = facts.iter().map(row).take(MOST).collect();
-        let title = text!("sheet-results").render(self.language);
+        let title = text!("sheet-results").typeset(self.language);
         drawn(SheetField::Results, Table { title, head: Vec::new(), rows, words: 1 })
     }
 }

@@ -6,7 +6,6 @@ mod common;
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use assur_figure::letters::flat;
 use assur_mechanism::Mechanism;
 use assur_picture::Results;
 use assur_report::{json::analysis::to_json, topic};
@@ -51,7 +50,7 @@ fn forces(pages: &[Page]) -> (Vec<usize>, Forces) {
     let positions: Vec<usize> = texts[3..].iter().map_while(number).collect();
     let rows = texts[3 + positions.len()..].chunks(2 + positions.len());
     let values = |row: &[&str]| row[2..].iter().map(|cell| (*cell).to_owned()).collect();
-    (positions, rows.map(|row| (flat(row[0]), (row[1].to_owned(), values(row)))).collect())
+    (positions, rows.map(|row| (row[0].replace(['_', '{', '}'], ""), (row[1].to_owned(), values(row)))).collect())
 }
 
 fn size(force: &Value) -> f64 {
