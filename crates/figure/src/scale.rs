@@ -43,6 +43,7 @@ impl Scale {
             "N" => ("F", unit, 1.0),
             "N m" => ("M", unit, 1.0),
             "kg m2" => ("J", unit, 1.0),
+            "kg m2/rad" => ("J'", unit, 1.0),
             "J" => ("A", unit, 1.0),
             _ => return None,
         };

@@ -122,6 +122,10 @@ fn last_of_lever(plans: &Plans) -> Option<usize> {
 pub struct LeverForce {
     /// Its symbol in the drawing.
     pub symbol: Text,
+    /// The load that it is, or of which it is a part.
+    pub of: Text,
+    /// Whether it is the balancing load.
+    pub is_balancing: bool,
     /// Its size, N.
     pub size: f64,
     /// Its arm about the pole, and the unit of the lever.
@@ -141,7 +145,14 @@ pub fn on_lever(results: &Results, position: usize) -> Vec<LeverForce> {
     let force = |step: &ConstructionStep| {
         let size = length([[0.0; 2], step.vector]);
         let is_force = size > 0.0 && !matches!(step.kind, VectorKind::Line | VectorKind::Point);
-        is_force.then(|| LeverForce { symbol: step.name.clone(), size, arm: (arm_of(step), unit) })
+        let (is_balancing, of) = (step.kind == VectorKind::Balancing, step.of.clone());
+        is_force.then(|| LeverForce {
+            symbol: step.name.clone(),
+            of,
+            is_balancing,
+            size,
+            arm: (arm_of(step), unit),
+        })
     };
     forces.filter_map(force).collect()
 }

@@ -36,7 +36,8 @@ pub(crate) fn coordinate_axis(linkage: &Linkage) -> Axis {
     let last = input.positions - usize::from(!input.is_cycle());
     let ends = [0.0, last as f64].map(|at| coordinate_at(linkage, at));
     let kind = if linkage.kind().is_angle() { AxisKind::Degrees } else { AxisKind::Linear };
-    Axis { kind, ..Axis::around(list([coordinate_name(linkage), unit(symbol)]), ends, 0.0) }.measuring(symbol)
+    Axis { kind, ..Axis::around(list([coordinate_name(linkage), unit(symbol)]), ends, 0.0) }
+        .of_coordinate(symbol)
 }
 
 /// The curve of a quantity over the positions or samples, with the cursor at the present one, at which it has a value.

@@ -24,6 +24,8 @@ pub struct Language {
     digits: Option<usize>,
     /// Short signs of parts by their names, which stand for their labels.
     marks: Arc<BTreeMap<String, String>>,
+    /// Whether they stand in subscripts and superscripts alone.
+    marks_indices: bool,
 }
 
 impl fmt::Debug for Language {
@@ -61,7 +63,14 @@ impl Language {
     /// drawings and formulas.
     #[must_use]
     pub fn with_marks(&self, marks: impl IntoIterator<Item = (String, String)>) -> Self {
-        Self { bundle: Arc::clone(&self.bundle), marks: Arc::new(marks.into_iter().collect()), ..*self }
+        let marks = Arc::new(marks.into_iter().collect());
+        Self { bundle: Arc::clone(&self.bundle), marks, marks_indices: false, ..*self }
+    }
+
+    /// The same with these signs in subscripts and superscripts alone: words have the names of links, symbols their numbers.
+    #[must_use]
+    pub fn with_marks_in_indices(&self, marks: impl IntoIterator<Item = (String, String)>) -> Self {
+        Self { marks_indices: true, ..self.with_marks(marks) }
     }
 
     /// English with the names by which parts are found: what files have.
@@ -71,6 +80,7 @@ impl Language {
         OF_FILES.get_or_init(|| Self {
             bundle: Arc::clone(&english.bundle),
             marks: Arc::default(),
+            marks_indices: false,
             has_labels: false,
             ..*english
         })
@@ -85,7 +95,8 @@ impl Language {
             let read = FluentResource::try_new(resource.texts.to_owned());
             bundle.add_resource_overriding(read.unwrap_or_else(|(read, _)| read));
         }
-        Self { code, bundle: Arc::new(bundle), has_labels: true, digits: None, marks: Arc::default() }
+        let (bundle, marks) = (Arc::new(bundle), Arc::default());
+        Self { code, bundle, has_labels: true, digits: None, marks, marks_indices: false }
     }
 
     fn is_english(&self) -> bool {
@@ -112,13 +123,13 @@ impl Language {
                 _ => self.written(text, in_level),
             },
             Content::Heading(text) => capital(&self.written(text, in_level)),
-            Content::Raised { letters, level } => in_level(*level, &self.render(letters)),
+            Content::Raised { letters, level } => in_level(*level, &self.index(letters)),
+            Content::Name(letters) if self.marks_indices => letters.clone().into_owned(),
             Content::Name(letters) => self.mark(letters).unwrap_or(letters).to_owned(),
             Content::Labelled { name, labels } => {
-                if let Some(mark) =
-                    (!self.marks.is_empty()).then(|| self.marks.get(&name.to_string())).flatten()
-                {
-                    return mark.clone();
+                let is_marked = !self.marks.is_empty() && !self.marks_indices;
+                if let Some(mark) = is_marked.then(|| self.mark(&name.to_string())).flatten() {
+                    return mark.to_owned();
                 }
                 let own = labels.iter().find(|(code, _)| self.has_labels && *code == self.code);
                 own.map_or_else(|| self.written(name, in_level), |(_, label)| label.clone())
@@ -133,6 +144,15 @@ impl Language {
                 parts.iter().map(|part| self.written(part, in_level)).collect::<Vec<_>>().join(between)
             }
         }
+    }
+
+    /// What stands below or above a line.
+    fn index(&self, letters: &Text) -> String {
+        if !self.marks_indices {
+            return self.render(letters);
+        }
+        let (bundle, marks) = (Arc::clone(&self.bundle), Arc::clone(&self.marks));
+        Self { bundle, marks, marks_indices: false, ..*self }.render(letters)
     }
 
     fn mark(&self, name: &str) -> Option<&str> {

@@ -8,6 +8,7 @@ use assur_figure::{Figure, Frame, Item, Sign};
 use assur_group::plane::{length, minus, plus, scaled};
 use assur_mechanism::PairId;
 use assur_picture::{Arrows, Look, Results, mechanism, missing};
+use assur_words::name;
 
 use super::{opened, press, text};
 use crate::session::{Session, Source};
@@ -84,9 +85,10 @@ fn forces_of_a_transient_motion_are_those_of_its_instants() {
         for (pair, link) in assur_book::catalogue::reactions(schema) {
             let of = Column::vector(Quantity::Force, Owner::PairOn(pair, link));
             let expected = of.map(|column| table.get(instant, column).unwrap());
-            let name = schema.named(Owner::Pair(pair)).unwrap();
-            let drawn = reactions.get(&format!("R_{}", name.replace('/', "_"))).map_or([0.0; 2], |(_, force)| *force);
-            assert!(near(drawn, expected, most), "{instant} {name}: {drawn:?}, not {expected:?}");
+            let pair = schema.named(Owner::Pair(pair)).unwrap();
+            let own = reactions.get(&name("R").below(pair).to_string());
+            let drawn = own.map_or([0.0; 2], |(_, force)| *force);
+            assert!(near(drawn, expected, most), "{instant} {pair}: {drawn:?}, not {expected:?}");
             count += 1;
         }
         assert_eq!(count, 4);
