@@ -114,7 +114,7 @@ fn numbers_of_the_header_and_of_results_are_short_and_no_rounding() {
     state.parts.insert(View::Plans, ViewPart::Construction);
     state.chosen = Chosen { step: 3, ..state.chosen };
     let frame = text(&state, 80, 24);
-    assert!(frame.contains("Fbal (balancing load) 0 N") && frame.contains("moment 0 N·m"), "{frame}");
+    assert!(frame.contains("F_bal (balancing load) 0 N") && frame.contains("moment 0 N·m"), "{frame}");
 }
 
 #[test]

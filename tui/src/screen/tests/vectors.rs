@@ -192,12 +192,12 @@ fn the_key_of_arrows_goes_through_loads_and_reactions() {
     assert!(frame.contains("F6 cutting  1500.0 N") && !frame.contains("weight of ram"), "{frame}");
     press(&mut state, "v");
     let frame = text(&state, 110, 40);
-    for told in ["F6 cutting  1500.0 N", "weight of ram", "Md moment of the", "| 1000 N", "| 100 mm"] {
+    for told in ["F6 cutting  1500.0 N", "weight of ram", "M_d moment of the", "| 1000 N", "| 100 mm"] {
         assert!(frame.contains(told), "{told}: {frame}");
     }
     press(&mut state, "v");
     let frame = text(&state, 110, 40);
-    for told in ["RO O on crank  2391.0 N", "RA A on crank", "RC"] {
+    for told in ["R_O O on crank  2391.0 N", "R_A A on crank", "R_C"] {
         assert!(frame.contains(told), "{told}: {frame}");
     }
     press(&mut state, "v");
