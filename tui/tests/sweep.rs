@@ -152,7 +152,7 @@ fn a_sweep_that_is_killed_again_and_again_ends_as_if_it_had_not_been() {
             // The kill may come when the file is complete and the program has not ended yet.
             match fs::read(path.join(killed)) {
                 Ok(bytes) => {
-                    assert!(bytes == fs::read(path.join(whole)).unwrap(), "{killed} is not complete")
+                    assert!(bytes == fs::read(path.join(whole)).unwrap(), "{killed} is not complete");
                 }
                 Err(_) => assert!(part.exists(), "rows so far are beside the file"),
             }
