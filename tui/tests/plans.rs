@@ -26,6 +26,28 @@ fn json(arguments: &[&str]) -> Value {
     serde_json::from_str(&out(&[arguments, &["--format", "json"]].concat())).unwrap()
 }
 
+/// Every text and every JSON of plans is flat: subscripts stand on the line.
+#[test]
+fn no_mark_of_a_subscript_is_written() {
+    let mut seen = 0;
+    for (scene, _) in assur_fixtures::SCENES {
+        let scene = format!("{scene}.toml");
+        for arguments in [
+            ["analyze", &scene, "--plans", "3", "--language", "uk"],
+            ["analyze", &scene, "--plans", "3", "--format", "json"],
+            ["explain", &scene, "--position", "3", "--language", "ru"],
+        ] {
+            // A scene without such a position has no plans there.
+            let told = String::from_utf8(assur(&arguments).stdout).unwrap();
+            for mark in ["_{", "^{"] {
+                assert!(!told.contains(mark), "{arguments:?}: {mark}");
+            }
+            seen += told.matches("F_bal").count();
+        }
+    }
+    assert!(seen > 0, "the balancing force is named in plans: {seen}");
+}
+
 /// The plans without their residuals, which are rounding.
 fn plans(scene: &str, index: &str) -> String {
     let text = out(&["analyze", scene, "--plans", index]);

@@ -26,7 +26,7 @@ pub enum Digits {
     Ratio,
     /// Each with three significant digits and an exponent.
     Exponent,
-    /// Each with ten significant digits, to show how an iteration converges.
+    /// Each with two thirds more significant digits than others, to show how an iteration converges.
     Long,
 }
 
@@ -43,7 +43,7 @@ impl Digits {
             Self::Short => trimmed(clean, significant),
             Self::Exponent if value == 0.0 => "0".to_owned(),
             Self::Exponent => format!("{value:.2e}"),
-            Self::Long => long(value),
+            Self::Long => long(value, significant * 5 / 3),
         })
     }
 }
@@ -90,12 +90,13 @@ pub(crate) fn digits(value: f64, largest: f64, significant: usize) -> String {
     }
 }
 
-fn long(value: f64) -> String {
+fn long(value: f64, significant: usize) -> String {
     let size = if value == 0.0 { 0.0 } else { value.abs().log10().floor() };
     if !(-4.0..10.0).contains(&size) {
-        return format!("{value:.9e}");
+        let decimals = significant - 1;
+        return format!("{value:.decimals$e}");
     }
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 0 and 13")]
-    let decimals = (9.0 - size).max(0.0) as usize;
+    let decimals = (significant as f64 - 1.0 - size).max(0.0) as usize;
     format!("{value:.decimals$}")
 }

@@ -216,10 +216,9 @@ fn symbol<const N: usize>(letter: &'static str, points: [Text; N]) -> Text {
     joined("", [name(letter), name("("), joined("/", points), name(")")])
 }
 
-/// The symbol of a vector in print, with what it is above the letter and its points below: `a^{n}_{BA}`.
+/// The symbol of a vector in print, with what it is above the letter and its points below: `a^n_BA`.
 fn in_print<const N: usize>(letter: &'static str, above: Text, points: [Text; N]) -> Text {
-    let above = if above.is_empty() { above } else { joined("", [name("^{"), above, name("}")]) };
-    joined("", [name(letter), above, name("_{"), joined("", points), name("}")])
+    name(letter).above(above).below(joined("", points))
 }
 
 /// Unit of derivatives: by time with a motion, else by the coordinate.

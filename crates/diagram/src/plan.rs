@@ -13,7 +13,7 @@ const PAPER: f64 = 150.0;
 pub struct PlanVector {
     /// Short name: `R(A)`, `v(B)`.
     pub name: Text,
-    /// Its symbol in print, with the points in a subscript: `v_{B}`, `a^{n}_{BA}`; of a load in a force polygon `F4`, with the
+    /// Its symbol in print, with the points in a subscript: `v_B`, `a^n_BA`; of a load in a force polygon `F4`, with the
     /// number that it has on the links; else its name.
     #[serde(skip)]
     pub symbol: Text,

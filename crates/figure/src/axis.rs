@@ -73,6 +73,13 @@ impl Axis {
         Self { scale: Scale::measuring(unit).map(Box::new), ..self }
     }
 
+    /// The axis of the coordinate, in this unit: its scale factor is another one than that of what has the same unit over it.
+    #[must_use]
+    pub fn of_coordinate(self, unit: &str) -> Self {
+        let own = |scale: Scale| if scale.symbol == "t" { scale } else { Scale { symbol: "q", ..scale } };
+        Self { scale: Scale::measuring(unit).map(own).map(Box::new), ..self }
+    }
+
     /// Units in a millimeter, a round number, where the axis is at most this long; `None` of an axis without equal steps of a unit.
     pub(crate) fn units_in_mm(&self, length: f64) -> Option<f64> {
         self.scale.as_ref().filter(|_| self.kind != AxisKind::Logarithmic)?;

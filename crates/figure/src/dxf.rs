@@ -12,7 +12,7 @@ mod write;
 use assur_words::{Language, Text, text};
 
 use crate::bounds::Bounds;
-use crate::letters::{Level, levels};
+use crate::letters::flat;
 use crate::model::{Figure, Frame, Item, Panel, Point, Stroke};
 use crate::page::{self, EM, Element, Names, Room, Style, plain, plane};
 use crate::sign::{Form, shapes};
@@ -144,7 +144,7 @@ impl<'a> Sheet<'a> {
             let Item::Name { at, text, ink, needed } = mark else { continue };
             let written = text.render(language);
             if let (at, true) = names.place(*at, &written, *needed) {
-                drawing.text(at, EM, &flat(&written), Layer::Ink(*ink));
+                drawing.text(at, EM, &written, Layer::Ink(*ink));
             }
         }
         self.titles(titles, shift, language, drawing);
@@ -172,16 +172,6 @@ impl<'a> Sheet<'a> {
             drawing.text([x, y + Style::NOTE.row() * (row + 1) as f64], EM, &flat(&words), Layer::Titles);
         }
     }
-}
-
-/// A text whose subscripts and superscripts stand on its line.
-fn flat(text: &str) -> String {
-    let part = |(part, level)| match level {
-        Level::Line => part,
-        Level::Below => format!("_{part}"),
-        Level::Above => format!("^{part}"),
-    };
-    levels(text).map(|(own, level)| part((own.to_owned(), level))).collect()
 }
 
 /// Lines, outlines and signs.

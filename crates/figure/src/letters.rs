@@ -55,9 +55,14 @@ pub fn levels(text: &str) -> impl Iterator<Item = (&str, Level)> {
     })
 }
 
-/// The letters of a text without the marks of levels.
-pub fn flat(text: &str) -> String {
-    levels(text).map(|(part, _)| part).collect()
+/// The text where nothing stands lower or higher: `F_{bal}` as `F_bal`.
+pub(crate) fn flat(text: &str) -> String {
+    let part = |(part, level): (&str, Level)| match level {
+        Level::Line => part.to_owned(),
+        Level::Below => format!("_{part}"),
+        Level::Above => format!("^{part}"),
+    };
+    levels(text).map(part).collect()
 }
 
 /// A text in which the number of a single letter is its subscript, as print has it: `S3` is `S_{3}`, while words, units and what is a
@@ -107,7 +112,7 @@ mod tests {
         let parts: Vec<_> = levels("a^{n}_{BA} = 2").collect();
         let wanted = [("a", Level::Line), ("n", Level::Above), ("BA", Level::Below), (" = 2", Level::Line)];
         assert_eq!(parts, wanted);
-        assert_eq!(flat("μ_{F} x_{open"), "μF xopen");
+        assert_eq!(flat("μ_{F} x_{open a^{n}"), "μ_F x_open a^{n");
     }
 
     #[test]

@@ -244,7 +244,7 @@ fn shrunk(figure: &Figure, size: [f64; 2], print: &Print<'_>) -> (Vec<Room>, [f6
 
 /// A heading without the quotes by which names of the scene are told apart in running text.
 pub(crate) fn plain(title: &Text, language: &Language) -> String {
-    title.render(language).replace('`', "")
+    title.typeset(language).replace('`', "")
 }
 
 /// Lines of the heading of a panel.
@@ -303,7 +303,7 @@ fn drawn(marks: &[Item], room: Room, print: &Print<'_>) -> Vec<Element> {
     }
     for mark in marks {
         if let Item::Name { at, text: name, ink, needed } = mark {
-            let name = name.render(print.language);
+            let name = name.typeset(print.language);
             let (at, is_seen) = names.place(*at, &name, *needed);
             let mut element = print.text(at, &name, *ink, Anchor::Start);
             // A name that is not seen stays, so that all frames of an animation have the same elements.

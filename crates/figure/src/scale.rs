@@ -43,6 +43,7 @@ impl Scale {
             "N" => ("F", unit, 1.0),
             "N m" => ("M", unit, 1.0),
             "kg m2" => ("J", unit, 1.0),
+            "kg m2/rad" => ("J'", unit, 1.0),
             "J" => ("A", unit, 1.0),
             _ => return None,
         };
@@ -54,9 +55,9 @@ impl Scale {
         Self { size: round_up(least, &SCALES), ..Self::of(symbol, unit) }
     }
 
-    /// `μ_{v} = 0.05 m/s/mm` where a millimeter is so many units of the plane; nothing without a symbol.
+    /// `μ_v = 0.05 m/s/mm` where a millimeter is so many units of the plane; nothing without a symbol.
     pub(crate) fn factor(&self, units: f64) -> Option<Text> {
-        let symbol = (!self.symbol.is_empty()).then(|| name(format!("μ_{{{}}}", self.symbol)))?;
+        let symbol = (!self.symbol.is_empty()).then(|| name("μ").below(name(self.symbol)))?;
         // A round number without a power of ten, however small.
         let digits = plain(self.size * units);
         let digits = digits.parse::<f64>().map_or(digits, |value| value.to_string());

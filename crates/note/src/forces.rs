@@ -4,10 +4,10 @@
 use assur_analysis::results::Owner;
 use assur_book::{Document, Table, Unit, catalogue};
 use assur_diagram::PlanVector;
-use assur_figure::{Figure, Ink, Item, Panel, Stroke};
+use assur_figure::{Figure, Ink, Panel, Stroke};
 use assur_force::{Construction, ConstructionStep, VectorKind};
 use assur_picture::forces::{self, beside_friction};
-use assur_picture::{Look, Reaction, Series, ViewPart, curves, mechanism, plans, plots, polygons};
+use assur_picture::{Look, Reaction, Series, ViewPart, curves, plans, plots, polygons};
 use assur_report::topic;
 use assur_words::{Text, list, measured, name, number, text, unit};
 
@@ -79,27 +79,20 @@ fn loads(context: &Context<'_>) -> Figure {
 /// The polygon of each group in the chosen positions beside each other, with a table of its vectors.
 fn polygons(context: &Context<'_>, page: &mut Document) {
     let (results, found) = (context.results, context.found);
-    let numbered = context.language.with_marks(mechanism::numbers(&results.linkage.mechanism));
-    // Links have their numbers in symbols, as in the formulas.
-    let in_print = |text: &Text| name(text.render(&numbered));
+    let mut is_first = true;
     for (polygon, links) in polygons::bodies(results).iter().enumerate() {
         let vectors = |position: &usize| {
             let all = polygons::vectors(results, *position, polygon, links).into_iter();
-            all.map(|(symbol, item)| (*position, in_print(&symbol), item)).collect::<Vec<_>>()
+            all.map(|(symbol, item)| (*position, symbol, item)).collect::<Vec<_>>()
         };
         let vectors: Vec<Row> = context.positions.iter().flat_map(vectors).collect();
-        let drawn = |look: &Look<'_>| {
-            let mut figure = polygons::polygon(results, look.position, polygon, links);
-            for item in figure.panels.iter_mut().flat_map(|panel| &mut panel.items) {
-                if let Item::Name { text, .. } = item {
-                    *text = in_print(text);
-                }
-            }
-            figure
-        };
+        let drawn = |look: &Look<'_>| polygons::polygon(results, look.position, polygon, links);
         let plan = found.plans.at(context.positions[0]);
         let plan = plan.sheet.as_ref().ok().and_then(|sheet| sheet.polygons.get(polygon));
         let Some(title) = plan.map(|plan| &plan.title).filter(|_| !vectors.is_empty()) else { continue };
+        if std::mem::take(&mut is_first) {
+            page.paragraph(text!("note-forces-polygons"));
+        }
         let caption = text!("note-force-polygon", title, place = context.places());
         show(page, "note-see-polygon", (context.beside(drawn), POLYGONS), caption);
         page.table(table_of(vectors, text!("note-polygon-vectors", title)));

@@ -73,6 +73,12 @@ pub fn document(results: &Results, note: &Note, positions: &[usize]) -> Result<D
     parts::document(&Context { results, found, positions, language, note, formulas: Formulas::default() })
 }
 
+/// The language with the digits of the note, and with the numbers of links in symbols.
+fn in_print(results: &Results, note: &Note) -> Language {
+    let numbers = mechanism::numbers(&results.linkage.mechanism);
+    language(note).with_digits(note.digits).with_marks_in_indices(numbers)
+}
+
 fn language(note: &Note) -> &'static Language {
     note.language.and_then(Language::find).unwrap_or(Language::english())
 }
@@ -83,7 +89,7 @@ fn language(note: &Note) -> &'static Language {
 ///
 /// In words: as [`document`], or there are more positions than a note can show.
 pub fn write(results: &Results, note: &Note, form: Form, folder: &str) -> Result<Written, Text> {
-    let language = language(note).with_digits(note.digits);
+    let language = in_print(results, note);
     let mut sheet = sheet(results, note, &language)?;
     // Typst numbers headings, figures and tables itself.
     if form != Form::Typst {
@@ -102,7 +108,7 @@ pub fn write(results: &Results, note: &Note, form: Form, folder: &str) -> Result
 ///
 /// In words: as [`write`](fn@write).
 pub fn pdf(results: &Results, note: &Note) -> Result<Vec<u8>, Text> {
-    let language = language(note).with_digits(note.digits);
+    let language = in_print(results, note);
     let mut sheet = sheet(results, note, &language)?;
     sheet.number();
     pdf::write(&sheet).ok_or_else(|| text!("note-no-font"))
@@ -114,7 +120,7 @@ pub fn pdf(results: &Results, note: &Note) -> Result<Vec<u8>, Text> {
 ///
 /// In words: as [`write`](fn@write).
 pub fn pages(results: &Results, note: &Note) -> Result<Vec<Vec<Element>>, Text> {
-    let language = language(note).with_digits(note.digits);
+    let language = in_print(results, note);
     let mut sheet = sheet(results, note, &language)?;
     sheet.number();
     Ok(pdf::pages(&sheet))

@@ -6,7 +6,7 @@ mod lines;
 mod table;
 
 use assur_book::{Block, Term};
-use assur_figure::{Anchor, Element, Figure, Frame, Ink, Page, Style, elements};
+use assur_figure::{Anchor, Element, Figure, Frame, Ink, Page, Style, elements, plane_scale};
 use assur_words::{Text, number, text};
 
 use super::sheet::NoteSheet;
@@ -33,7 +33,8 @@ const APART: f64 = 2.2;
 const KEPT: f64 = 36.0;
 /// How full a page is that may end before a heading, as part of its height.
 const FULL: f64 = 0.69;
-/// Down to which part of its height a picture of curves is lower where the page has no more room.
+/// Down to which part of its height a picture is lower where the page has no more room: one of curves, and on a page that would end too
+/// early any.
 const SHRUNK: f64 = 0.7;
 /// Lines of a paragraph that no page divides.
 const UNDIVIDED: usize = 3;
@@ -49,6 +50,8 @@ const FINE: f64 = 0.2;
 struct Float {
     elements: Vec<Element>,
     high: f64,
+    /// Meters in a millimeter of its planes.
+    scale: Option<f64>,
 }
 
 /// The pages as they are filled.
@@ -72,11 +75,28 @@ impl Pages {
 
     /// Begins a page with the pictures that wait for it.
     fn begin(&mut self) {
+        self.turn();
+        self.settle();
+    }
+
+    /// Begins an empty page: pictures wait on.
+    fn turn(&mut self) {
         self.done.push(Vec::new());
         self.y = TOP;
+    }
+
+    /// Puts the pictures that wait where they fit; on an empty page one in any case.
+    fn settle(&mut self) {
         while self.waiting.first().is_some_and(|float| self.y <= TOP || self.y + float.high <= LAST) {
             let float = self.waiting.remove(0);
             self.put(float);
+        }
+    }
+
+    /// Puts the pictures that wait, which belong to what is above, before what follows, where this doesn't leave a page half empty.
+    fn catch_up(&mut self) {
+        while !self.waiting.is_empty() && self.y > TOP + FULL * (LAST - TOP) {
+            self.begin();
         }
     }
 
@@ -138,9 +158,8 @@ impl Pages {
 
     /// A heading with so much below it, mm; `begins`: whether pictures that wait stand before it.
     fn heading(&mut self, words: &str, size: f64, below: f64, begins: bool) {
-        // Pictures that wait belong to what is above, where this doesn't leave a page half empty.
-        if begins && !self.waiting.is_empty() && self.y > TOP + FULL * (LAST - TOP) {
-            self.begin();
+        if begins {
+            self.catch_up();
         }
         // What is higher than a page fits on none.
         self.need(below.min(LAST - TOP));
@@ -245,9 +264,12 @@ impl Body<'_> {
         if pages.waiting.is_empty()
             && whole.high > room
             && room >= SHRUNK * whole.high
-            && is_of_curves(figure)
+            && (is_of_curves(figure) || pages.y < TOP + FULL * (LAST - TOP))
         {
-            whole = self.picture(words, figure, room);
+            let lower = self.picture(words, figure, room);
+            // A plane has a round scale, and at half of it names cover each other.
+            let is_clear = lower.scale.zip(whole.scale).is_none_or(|(lower, whole)| lower < 2.0 * whole);
+            whole = if lower.high <= room && is_clear { lower } else { whole };
         }
         let stays = pages.headed || pages.waiting.is_empty() && pages.y < TOP + FULL * (LAST - TOP);
         let fits = pages.waiting.is_empty() && pages.y + whole.high <= LAST;
@@ -282,7 +304,7 @@ impl Body<'_> {
     /// A picture below the sentence that names it; curves are so low that all has this height.
     fn picture(&self, words: &Text, figure: &Block, room: f64) -> Float {
         let Block::Figure { frames, size, caption } = figure else {
-            return Float { elements: Vec::new(), high: 0.0 };
+            return Float { elements: Vec::new(), high: 0.0, scale: None };
         };
         let (mut elements, mut high) = (Vec::new(), 0.0);
         for line in self.sheet.paragraphs(words).iter().flat_map(|own| wrapped(own, WIDTH, BODY)) {
@@ -290,13 +312,14 @@ impl Body<'_> {
             elements.push(Element::text([0.0, high], &line, BODY, Anchor::Start, Ink::Text));
         }
         high += if elements.is_empty() { 0.0 } else { APART };
-        let of = |size| picture(self.sheet, &frames[0], size, &self.sheet.line(caption));
+        let caption = self.sheet.line(caption);
+        let of = |size| picture(self.sheet, &frames[0], size, &caption);
         let mut drawn = of(*size);
         if high + drawn.high > room {
-            drawn = of([size[0], size[1] - (high + drawn.high - room)]);
+            drawn = of([size[0], room - high - below_picture(&caption)]);
         }
         elements.extend(drawn.elements.into_iter().map(|element| element.moved([0.0, high])));
-        Float { elements, high: high + drawn.high }
+        Float { elements, high: high + drawn.high, scale: drawn.scale }
     }
 }
 
@@ -311,11 +334,18 @@ fn picture(sheet: &NoteSheet<'_>, figure: &Figure, size: [f64; 2], caption: &str
     let indent = 0.5 * (WIDTH - width).max(0.0);
     let mut all: Vec<Element> = drawn.into_iter().map(|element| element.moved([indent, 0.0])).collect();
     let mut y = height;
+    let high = height + below_picture(caption);
     for line in wrapped(caption, WIDTH, SMALL) {
         y += LINE * SMALL;
         all.push(Element::text([0.5 * WIDTH, y], &line, SMALL, Anchor::Middle, Ink::Text));
     }
-    Float { elements: all, high: y + 2.0 * APART }
+    let scale = plane_scale(figure, Page::Within(size), Style::NOTE, sheet.language);
+    Float { elements: all, high, scale }
+}
+
+/// Height of what stands below a picture, mm: its caption and free room.
+fn below_picture(caption: &str) -> f64 {
+    LINE * SMALL * wrapped(caption, WIDTH, SMALL).len() as f64 + 2.0 * APART
 }
 
 /// An equation with its number at the right.

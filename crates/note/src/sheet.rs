@@ -32,18 +32,18 @@ impl NoteSheet<'_> {
     /// A text as it stands in an equation, whose symbols have their subscripts apart.
     pub(super) fn plain(&self, text: &Text) -> String {
         // Signs of print, in every language; names need no quotes on paper.
-        text.render(self.language).replace("->", "→").replace('`', "")
+        text.typeset(self.language).replace("->", "→").replace('`', "")
     }
 
     /// The subscripts of a symbol, in which links have their numbers.
     pub(super) fn below(&self, symbol: &Symbol) -> String {
-        symbol.subscript().render(&self.numbered).replace('`', "")
+        symbol.subscript().typeset(&self.numbered).replace('`', "")
     }
 
     /// Gives the links of structural formulas their numbers, as the drawings have them.
     pub(super) fn formulas(&mut self) {
         let in_numbers =
-            |text: &Text, numbered: &Language| assur_words::name(text.render(numbered).replace('`', ""));
+            |text: &Text, numbered: &Language| assur_words::name(text.typeset(numbered).replace('`', ""));
         for block in &mut self.blocks {
             match block {
                 Block::Paragraph(words) if words.identity() == Some("report-formula") => {

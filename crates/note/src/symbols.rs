@@ -6,7 +6,7 @@ use assur_words::{Text, name, text, unit};
 
 use crate::context::Context;
 
-/// A symbol, the identity of its meaning, and its unit.
+/// A symbol with its subscript behind `_`, the identity of its meaning, and its unit.
 type Row = (&'static str, &'static str, Unit);
 
 /// The symbols of the motion that has no unit of time: the coordinate and what is found by it.
@@ -15,8 +15,8 @@ fn of_motion(context: &Context<'_>) -> Vec<Row> {
     let [speed, acceleration] = Unit::rates_of(kind);
     let mut rows = vec![("q", "note-symbol-coordinate", Unit::coordinate(kind))];
     if !kind.is_time() {
-        rows.push(("ω_{1}", "note-symbol-input-speed", speed));
-        rows.push(("ε_{1}", "note-symbol-input-acceleration", acceleration));
+        rows.push(("ω_1", "note-symbol-input-speed", speed));
+        rows.push(("ε_1", "note-symbol-input-acceleration", acceleration));
     }
     rows.extend([
         ("x, y", "note-symbol-place", Unit::LENGTH),
@@ -47,9 +47,9 @@ fn of_forces(context: &Context<'_>) -> Vec<Row> {
         rows.push(("M", "note-symbol-moment", Unit::MOMENT));
     }
     if found.analysis.friction.is_some() {
-        rows.push(("M_{f}", "note-symbol-friction-moment", Unit::MOMENT));
-        rows.push(("F_{f}", "note-symbol-friction-force", Unit::FORCE));
-        rows.push(("P_{f}", "note-symbol-friction-power", Unit::POWER));
+        rows.push(("M_f", "note-symbol-friction-moment", Unit::MOMENT));
+        rows.push(("F_f", "note-symbol-friction-force", Unit::FORCE));
+        rows.push(("P_f", "note-symbol-friction-power", Unit::POWER));
     }
     let has = |quantity| found.rows().0.schema().find(Column::of(quantity, Owner::Input)).is_some();
     if has(Quantity::Balancing) {
@@ -65,10 +65,11 @@ fn of_forces(context: &Context<'_>) -> Vec<Row> {
 /// The list of symbols, before everything that uses them.
 pub(super) fn symbols(context: &Context<'_>, page: &mut Document) {
     let mechanism = &context.results.linkage.mechanism;
-    let letter = |(symbol, ..): &Row| match *symbol {
-        "" if mechanism.balances_by_moment() => text!("note-letter-balancing-moment"),
-        "" => text!("note-letter-balancing-force"),
-        symbol => name(symbol),
+    let balancing = if mechanism.balances_by_moment() { "M" } else { "F" };
+    let letter = |(symbol, ..): &Row| match symbol.split_once('_') {
+        None if symbol.is_empty() => name(balancing).below(text!("note-index-of-balancing")),
+        None => name(*symbol),
+        Some((letter, index)) => name(letter).below(name(index)),
     };
     let rows = [of_motion(context), of_forces(context)].concat();
     let symbols = Table::each(text!("note-symbols-table"), rows)

@@ -100,12 +100,13 @@ impl<'a> Acting<'a> {
             if let (Some([normal, friction]), Some(at)) = (load.parts(mechanism, bodies), load.at) {
                 nth += 1;
                 let suffix = if contacts > 1 { nth.to_string() } else { String::new() };
-                let of = |symbol, told| [joined("", [symbol, name(suffix.clone())]), told];
+                let numbered = |symbol| joined("", [symbol, name(suffix.clone())]);
+                let part = |index| [name("F").below(numbered(index)), Text::default()];
                 let [line, dashed] = [Stroke::Solid, Stroke::Dashed].map(|stroke| (stroke, Ink::Second));
-                self.push(at, Kind::Force, [0.0; 2], of(name("K"), Text::default()), line);
-                self.push(at, Kind::Force, normal, of(name("F_{c}"), Text::default()), dashed);
-                self.push(at, Kind::Force, friction, of(text!("contact-friction"), Text::default()), dashed);
-                self.push(at, Kind::Force, force, of(name("F"), told), line);
+                self.push(at, Kind::Force, [0.0; 2], [numbered(name("K")), Text::default()], line);
+                self.push(at, Kind::Force, normal, part(name("c")), dashed);
+                self.push(at, Kind::Force, friction, part(text!("index-of-friction")), dashed);
+                self.push(at, Kind::Force, force, [numbered(name("F")), told], line);
             } else if are_wanted(load.cause) {
                 let at = load.at.unwrap_or_else(|| self.anchor(load.link));
                 let symbols = ["F", "M"].map(|letter| name(format!("{letter}{}", number + 1)));
@@ -142,9 +143,8 @@ impl<'a> Acting<'a> {
             // Of several links each has its own force.
             let several = shown.iter().filter(|(own, _)| *own == pair).count() > 1;
             let link = if several { format!(",{on}") } else { String::new() };
-            let joint = || Text::from(&force.joint.name);
-            let symbols = ["R", "M"]
-                .map(|letter| joined("", [name(format!("{letter}_{{")), joint(), name(format!("{link}}}"))]));
+            let index = joined("", [Text::from(&force.joint.name), name(link)]);
+            let symbols = ["R", "M"].map(|letter| name(letter).below(&index));
             self.act(at, force.force, force.moment.unwrap_or_default(), symbols, &told, Ink::First);
         }
         let balanced = |link| self.concerns(link);
@@ -222,7 +222,7 @@ impl<'a> Acting<'a> {
 
 /// The symbols of a force and of a moment with an index.
 fn with_index(index: &Text) -> [Text; 2] {
-    ["F_{", "M_{"].map(|letter| joined("", [name(letter), index.clone(), name("}")]))
+    ["F", "M"].map(|letter| name(letter).below(index))
 }
 
 /// The pairs of some links with other bodies, each with the link on which its force is told.

@@ -11,7 +11,7 @@ use assur_force::LoadState;
 use assur_group::plane::{length, minus, plus, scaled};
 use assur_kinematics::Position;
 use assur_mechanism::{GROUND, LinkId};
-use assur_words::{Text, joined, measured, name, text};
+use assur_words::{Text, measured, name, text};
 
 use crate::acting::Acting;
 use crate::{Arrows, Look, Picture, Results, ViewPart, plots};
@@ -232,8 +232,7 @@ fn rates(results: &Results, pose: &Position, state: &LoadState, kind: Kind) -> V
             let vector = plus(scaled(speed * speed, motion.pf2), scaled(acceleration, motion.pf1));
             (vector, (Stroke::Dashed, Ink::Acceleration))
         };
-        let parts = [name(SYMBOLS[kind as usize]), name("_{"), Text::from(&point.name), name("}")];
-        let name = joined("", parts);
+        let name = name(SYMBOLS[kind as usize]).below(&point.name);
         Arrow { at: motion.pf0, kind, vector, name, told: Text::default(), style, of_pair: false }
     };
     moving.map(arrow).collect()

@@ -86,7 +86,7 @@ pub fn positions(results: &Results, others: &[usize], chosen: usize) -> Figure {
         for &(point, link) in &points {
             let own = &results.linkage.mechanism.points[point];
             let Some(at) = own.on(link) else { continue };
-            let text = joined("", [Text::from(&own.name), name(format!("_{{{position}}}"))]);
+            let text = Text::from(&own.name).below(name(position.to_string()));
             let needed = wide[&point] && results.linkage.mechanism.input.placed().any(|input| input == link);
             numbers.push(Item::Name { at: pose.bodies[link].point(at), text, ink: Ink::Text, needed });
         }

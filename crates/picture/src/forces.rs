@@ -97,7 +97,8 @@ fn hodograph(results: &Results, found: &Found, look: &Look<'_>, legend: &mut Vec
     let tips: Vec<Point> = xs.course.against(&ys.course);
     let bounds = Bounds::around(tips.iter().copied().chain([[0.0; 2]]));
     let tip = |position| Some([xs.course.get(position)?, ys.course.get(position)?]);
-    let mut items = plots::axes(&bounds, ["R_{x}", "R_{y}"].map(|symbol| list([name(symbol), unit("N")])));
+    let mut items =
+        plots::axes(&bounds, ["x", "y"].map(|axis| list([name("R").below(name(axis)), unit("N")])));
     items.push(Item::line(tips, Stroke::Dashed, Ink::Second));
     let now = tip(look.position);
     items.extend(now.map(|to| Item::Arrow { from: [0.0; 2], to, stroke: Stroke::Solid, ink: Ink::First }));

@@ -91,7 +91,7 @@ impl Results {
         let (_, factor) = self.axis_unit();
         let axis = || {
             let ends = [0, self.positions() - 1].map(|index| self.place_at(index as f64));
-            Axis::around(text!("motion-time"), ends, 0.0)
+            Axis::around(text!("motion-time"), ends, 0.0).of_coordinate("s")
         };
         let axis = if self.samples().is_some() { axis() } else { coordinate_axis(&self.linkage) };
         Base { axis, factor, cursor: self.on_axis(look.at()) }

@@ -16,8 +16,8 @@ const FAR: f64 = 1.5;
 const SHORT: f64 = 0.02;
 /// Space around a construction, as part of its size.
 const AROUND: f64 = 0.06;
-/// Names of the poles of the plans of velocities and of accelerations: a point P has the image p.
-const POLES: [&str; 2] = ["p_{v}", "p_{a}"];
+/// Subscripts of the poles of the plans of velocities and of accelerations: a point P has the image p.
+const POLES: [&str; 2] = ["v", "a"];
 /// What the plans of a position show.
 #[derive(Debug)]
 pub enum Shown<'a> {
@@ -122,6 +122,10 @@ fn last_of_lever(plans: &Plans) -> Option<usize> {
 pub struct LeverForce {
     /// Its symbol in the drawing.
     pub symbol: Text,
+    /// The load that it is, or of which it is a part.
+    pub of: Text,
+    /// Whether it is the balancing load.
+    pub is_balancing: bool,
     /// Its size, N.
     pub size: f64,
     /// Its arm about the pole, and the unit of the lever.
@@ -141,7 +145,14 @@ pub fn on_lever(results: &Results, position: usize) -> Vec<LeverForce> {
     let force = |step: &ConstructionStep| {
         let size = length([[0.0; 2], step.vector]);
         let is_force = size > 0.0 && !matches!(step.kind, VectorKind::Line | VectorKind::Point);
-        is_force.then(|| LeverForce { symbol: step.name.clone(), size, arm: (arm_of(step), unit) })
+        let (is_balancing, of) = (step.kind == VectorKind::Balancing, step.of.clone());
+        is_force.then(|| LeverForce {
+            symbol: step.name.clone(),
+            of,
+            is_balancing,
+            size,
+            arm: (arm_of(step), unit),
+        })
     };
     forces.filter_map(force).collect()
 }

@@ -36,7 +36,8 @@ pub(crate) fn coordinate_axis(linkage: &Linkage) -> Axis {
     let last = input.positions - usize::from(!input.is_cycle());
     let ends = [0.0, last as f64].map(|at| coordinate_at(linkage, at));
     let kind = if linkage.kind().is_angle() { AxisKind::Degrees } else { AxisKind::Linear };
-    Axis { kind, ..Axis::around(list([coordinate_name(linkage), unit(symbol)]), ends, 0.0) }.measuring(symbol)
+    Axis { kind, ..Axis::around(list([coordinate_name(linkage), unit(symbol)]), ends, 0.0) }
+        .of_coordinate(symbol)
 }
 
 /// The curve of a quantity over the positions or samples, with the cursor at the present one, at which it has a value.
@@ -202,7 +203,7 @@ pub(crate) fn arrow([from, to]: [Point; 2], name: &Text, ink: Ink) -> Item {
     }
 }
 
-/// Arrows, lines and points that are drawn together, each with its name, which may be empty; to a scale. With a pole, it is marked and
+/// Arrows, lines and points that are drawn together, each with its name, which may be empty; to a scale. With a pole, of which the subscript is given, it is marked and
 /// names are at the tips, as in textbooks.
 pub(crate) fn vectors(vectors: Vec<(Item, Text)>, scale: Scale, pole: Option<&'static str>) -> Panel {
     let part = if pole.is_some() { 1.0 } else { 0.6 };
@@ -217,7 +218,7 @@ pub(crate) fn vectors(vectors: Vec<(Item, Text)>, scale: Scale, pole: Option<&'s
     let mut items: Vec<Item> = vectors.into_iter().map(|(item, _)| item).chain(names).collect();
     if let Some(pole) = pole {
         items.push(Item::sign([0.0; 2], Sign::Ring, Ink::Title));
-        items.push(Item::name([0.0; 2], name(pole), Ink::Title));
+        items.push(Item::name([0.0; 2], name("p").below(name(pole)), Ink::Title));
     }
     let bounds = Bounds::around(items.iter().flat_map(Item::points));
     Panel::plane(bounds, scale, items)

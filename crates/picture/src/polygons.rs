@@ -114,5 +114,5 @@ fn inner_symbol(results: &Results, item: &PlanVector) -> Text {
     let names = mechanism.slides.iter().map(|slide| &slide.name);
     let mut names = names.chain(mechanism.points.iter().map(|point| &point.name));
     let found = names.find(|pair| item.name == joined("", [name("R("), (*pair).into(), name(")")]));
-    found.map_or_else(|| item.name.clone(), |pair| joined("", [name("R_{"), pair.into(), name("}")]))
+    found.map_or_else(|| item.name.clone(), |pair| name("R").below(pair))
 }

@@ -1,8 +1,10 @@
 //! The tables of a sheet: the forces and the lever with their numbers in all positions that have plans, and the results.
 
+use std::collections::BTreeSet;
+
 use assur_book::Fact;
 use assur_mechanism::LinkId;
-use assur_picture::{plans, polygons};
+use assur_picture::{plans, plans::LeverForce, polygons};
 use assur_report::topic;
 use assur_scene::SheetField;
 use assur_words::{Language, Text, joined, measured, name, text};
@@ -42,7 +44,7 @@ impl Source<'_> {
                 _ => ["F", "h"].map(|symbol| joined(", ", [name(symbol), place.clone()])).into(),
             });
         }
-        let line = |text: &Text, language: &Language| text.render(language).replace('`', "");
+        let line = |text: &Text, language: &Language| text.typeset(language).replace('`', "");
         let none = || vec![name("–"); count];
         let cells = |row: &Row| {
             let values = (0..self.plans.len())
@@ -54,7 +56,7 @@ impl Source<'_> {
             words.chain(values.iter().map(|own| line(own, self.language))).collect()
         };
         let table = Table {
-            title: title.render(self.language),
+            title: title.typeset(self.language),
             head: head.iter().map(|own| line(own, self.language)).collect(),
             rows: rows.iter().map(cells).collect(),
             words,
@@ -77,14 +79,34 @@ impl Source<'_> {
         self.table(SheetField::Forces, &text!("sheet-symbols"), &rows, 1)
     }
 
-    /// The forces on Zhukovsky's lever with their arms in all positions.
+    /// The symbols of the loads on the links in the positions of the plans.
+    fn symbols_of_forces(&self) -> BTreeSet<String> {
+        let bodies = polygons::bodies(self.results);
+        let of = |position: &usize| {
+            let acting = |(polygon, links): (usize, &Vec<LinkId>)| {
+                polygons::acting(self.results, *position, polygon, links)
+            };
+            bodies.iter().enumerate().flat_map(acting).collect::<Vec<_>>()
+        };
+        self.plans.iter().flat_map(of).map(|own| own.symbol.to_string()).collect()
+    }
+
+    /// The forces on Zhukovsky's lever with their arms in all positions; and what they are, where the table of forces has not all of them.
     pub(crate) fn table_of_lever(&self) -> Option<Drawn> {
         let mut rows = Vec::new();
+        let symbols = self.symbols_of_forces();
+        let is_known = |own: &LeverForce| {
+            let symbol = own.symbol.to_string();
+            own.is_balancing || symbols.contains(symbol.trim_end_matches('′'))
+        };
+        let mut all = self.plans.iter().flat_map(|position| plans::on_lever(self.results, *position));
+        let are_known = all.all(|own| is_known(&own));
         for (at, position) in self.plans.iter().enumerate() {
             for own in plans::on_lever(self.results, *position) {
                 let (arm, unit) = own.arm;
                 let values = vec![measured(own.size, DIGITS, "N"), measured(arm, DIGITS, unit)];
-                put(&mut rows, vec![own.symbol], at, values);
+                let of = (!are_known).then_some(own.of);
+                put(&mut rows, std::iter::once(own.symbol).chain(of).collect(), at, values);
             }
         }
         self.table(SheetField::Lever, &text!("sheet-lever-forces"), &rows, 2)
@@ -95,12 +117,12 @@ impl Source<'_> {
         /// Rows that a sheet has.
         const MOST: usize = 24;
         let facts = topic::summary(&self.found.analysis, &self.results.linkage);
-        let line = |text: &Text, language: &Language| text.render(language).replace('`', "");
+        let line = |text: &Text, language: &Language| text.typeset(language).replace('`', "");
         // The formula of the structure has the numbers of the links.
         let row =
             |fact: &Fact| vec![line(&fact.what(), self.language), line(&fact.with_unit(), self.numbered)];
         let rows = facts.iter().map(row).take(MOST).collect();
-        let title = text!("sheet-results").render(self.language);
+        let title = text!("sheet-results").typeset(self.language);
         drawn(SheetField::Results, Table { title, head: Vec::new(), rows, words: 1 })
     }
 }

@@ -8,7 +8,7 @@ use fluent_bundle::{FluentArgs, FluentResource, FluentValue, concurrent::FluentB
 use serde::{Serialize, Serializer};
 use unic_langid::LanguageIdentifier;
 
-use crate::{CoordinateKind, Text, text::Content, trimmed};
+use crate::{CoordinateKind, Text, text::Content, text::Level, trimmed};
 
 /// The codes of the languages, English first.
 pub const LANGUAGES: [&str; 3] = ["en", "uk", "ru"];
@@ -24,6 +24,8 @@ pub struct Language {
     digits: Option<usize>,
     /// Short signs of parts by their names, which stand for their labels.
     marks: Arc<BTreeMap<String, String>>,
+    /// Whether they stand in subscripts and superscripts alone.
+    marks_indices: bool,
 }
 
 impl fmt::Debug for Language {
@@ -61,7 +63,14 @@ impl Language {
     /// drawings and formulas.
     #[must_use]
     pub fn with_marks(&self, marks: impl IntoIterator<Item = (String, String)>) -> Self {
-        Self { bundle: Arc::clone(&self.bundle), marks: Arc::new(marks.into_iter().collect()), ..*self }
+        let marks = Arc::new(marks.into_iter().collect());
+        Self { bundle: Arc::clone(&self.bundle), marks, marks_indices: false, ..*self }
+    }
+
+    /// The same with these signs in subscripts and superscripts alone: words have the names of links, symbols their numbers.
+    #[must_use]
+    pub fn with_marks_in_indices(&self, marks: impl IntoIterator<Item = (String, String)>) -> Self {
+        Self { marks_indices: true, ..self.with_marks(marks) }
     }
 
     /// English with the names by which parts are found: what files have.
@@ -71,6 +80,7 @@ impl Language {
         OF_FILES.get_or_init(|| Self {
             bundle: Arc::clone(&english.bundle),
             marks: Arc::default(),
+            marks_indices: false,
             has_labels: false,
             ..*english
         })
@@ -85,33 +95,44 @@ impl Language {
             let read = FluentResource::try_new(resource.texts.to_owned());
             bundle.add_resource_overriding(read.unwrap_or_else(|(read, _)| read));
         }
-        Self { code, bundle: Arc::new(bundle), has_labels: true, digits: None, marks: Arc::default() }
+        let (bundle, marks) = (Arc::new(bundle), Arc::default());
+        Self { code, bundle, has_labels: true, digits: None, marks, marks_indices: false }
     }
 
     fn is_english(&self) -> bool {
         self.code == LANGUAGES[0]
     }
 
-    /// A text in this language.
+    /// A text in this language as a line of letters; a subscript is one word with what it belongs to, `F_bal`.
     pub fn render(&self, text: &Text) -> String {
+        self.written(text, in_line)
+    }
+
+    /// A text in this language for what can set letters lower and higher: subscripts stand in `_{...}`, superscripts in `^{...}`.
+    pub fn typeset(&self, text: &Text) -> String {
+        self.written(text, in_marks)
+    }
+
+    fn written(&self, text: &Text, in_level: InLevel) -> String {
         match &text.0 {
-            Content::Message { id, values } => self.message(id, values),
+            Content::Message { id, values } => self.message(id, values, in_level),
             Content::Short(text) => match &text.0 {
                 Content::Message { id, values } => self
-                    .own_message(&format!("{id}.short"), values)
-                    .unwrap_or_else(|| self.message(id, values)),
-                _ => self.render(text),
+                    .own_message(&format!("{id}.short"), values, in_level)
+                    .unwrap_or_else(|| self.message(id, values, in_level)),
+                _ => self.written(text, in_level),
             },
-            Content::Heading(text) => capital(&self.render(text)),
+            Content::Heading(text) => capital(&self.written(text, in_level)),
+            Content::Raised { letters, level } => in_level(*level, &self.index(letters)),
+            Content::Name(letters) if self.marks_indices => letters.clone().into_owned(),
             Content::Name(letters) => self.mark(letters).unwrap_or(letters).to_owned(),
             Content::Labelled { name, labels } => {
-                if let Some(mark) =
-                    (!self.marks.is_empty()).then(|| self.marks.get(&name.to_string())).flatten()
-                {
-                    return mark.clone();
+                let is_marked = !self.marks.is_empty() && !self.marks_indices;
+                if let Some(mark) = is_marked.then(|| self.mark(&name.to_string())).flatten() {
+                    return mark.to_owned();
                 }
                 let own = labels.iter().find(|(code, _)| self.has_labels && *code == self.code);
-                own.map_or_else(|| self.render(name), |(_, label)| label.clone())
+                own.map_or_else(|| self.written(name, in_level), |(_, label)| label.clone())
             }
             Content::Number { digits, exact } => match exact.zip(self.digits) {
                 Some((bits, digits)) => self.number(&trimmed(f64::from_bits(bits), digits)),
@@ -120,9 +141,18 @@ impl Language {
             Content::Unit(symbol) => self.unit(symbol),
             Content::Count(number) => number.to_string(),
             Content::Joined { between, parts } => {
-                parts.iter().map(|part| self.render(part)).collect::<Vec<_>>().join(between)
+                parts.iter().map(|part| self.written(part, in_level)).collect::<Vec<_>>().join(between)
             }
         }
+    }
+
+    /// What stands below or above a line.
+    fn index(&self, letters: &Text) -> String {
+        if !self.marks_indices {
+            return self.render(letters);
+        }
+        let (bundle, marks) = (Arc::clone(&self.bundle), Arc::clone(&self.marks));
+        Self { bundle, marks, marks_indices: false, ..*self }.render(letters)
     }
 
     fn mark(&self, name: &str) -> Option<&str> {
@@ -146,19 +176,19 @@ impl Language {
     }
 
     /// In English where this language lacks it; the identity where no language has it.
-    fn message(&self, id: &str, values: &[(&'static str, Text)]) -> String {
-        self.own_message(id, values).unwrap_or_else(|| {
-            if self.is_english() { id.to_owned() } else { Self::english().message(id, values) }
+    fn message(&self, id: &str, values: &[(&'static str, Text)], in_level: InLevel) -> String {
+        self.own_message(id, values, in_level).unwrap_or_else(|| {
+            if self.is_english() { id.to_owned() } else { Self::english().message(id, values, in_level) }
         })
     }
 
     /// `None` where this language lacks it.
-    fn own_message(&self, id: &str, values: &[(&'static str, Text)]) -> Option<String> {
+    fn own_message(&self, id: &str, values: &[(&'static str, Text)], in_level: InLevel) -> Option<String> {
         let mut given = FluentArgs::new();
         for (name, value) in values {
             let value: FluentValue<'_> = match value.0 {
                 Content::Count(number) => number.into(),
-                _ => self.render(value).into(),
+                _ => self.written(value, in_level).into(),
             };
             given.set(*name, value);
         }
@@ -172,7 +202,7 @@ impl Language {
         }
         let (mantissa, exponent) = digits.split_once('e').unwrap_or((digits, "0"));
         let mantissa = mantissa.replace(',', "\u{a0}").replace('-', "−");
-        let mantissa = mantissa.replace('.', &self.message("decimal-sign", &[]));
+        let mantissa = mantissa.replace('.', &self.message("decimal-sign", &[], in_line));
         if exponent.chars().all(|digit| digit == '0') {
             return mantissa;
         }
@@ -198,6 +228,21 @@ impl Language {
             parts => parts.join("/"),
         }
     }
+}
+
+/// How letters of a level are written.
+type InLevel = fn(Level, &str) -> String;
+
+/// As one word with what stands before them: `B, rod` below as `_B_rod`.
+fn in_line(level: Level, letters: &str) -> String {
+    let word = letters.replace(", ", "_");
+    let letter = |letter: char| if letter.is_alphanumeric() { letter } else { '_' };
+    std::iter::once(level.sign()).chain(word.chars().map(letter)).collect()
+}
+
+/// With marks around them.
+fn in_marks(level: Level, letters: &str) -> String {
+    format!("{}{{{letters}}}", level.sign())
 }
 
 /// A text with a capital at its beginning, where that is a word: a symbol is one letter, Latin or Greek.
@@ -277,5 +322,10 @@ impl Text {
     /// The text in a language.
     pub fn render(&self, language: &Language) -> String {
         language.render(self)
+    }
+
+    /// The text in a language, with its subscripts in `_{...}` and its superscripts in `^{...}`: for what sets them lower and higher.
+    pub fn typeset(&self, language: &Language) -> String {
+        language.typeset(self)
     }
 }

@@ -93,9 +93,26 @@ fn marks_stand_for_names_and_labels() {
         let marked = Language::find(code).unwrap().with_marks(marks.clone());
         assert_eq!(joined("/", [crank(), name("rod")]).render(&marked), "1/rod", "{code}");
         assert_eq!(name("crank").render(&marked), "1", "{code}");
+        let in_indices = Language::find(code).unwrap().with_marks_in_indices(marks.clone());
+        let symbol = name("S").below(crank());
+        assert_eq!(joined(" ", [name("crank"), symbol]).typeset(&in_indices), "crank S_{1}", "{code}");
     }
     // Files keep the name.
     assert_eq!(crank().to_string(), "crank");
+}
+
+#[test]
+fn a_subscript_is_one_word_with_its_letter_and_marked_for_print_alone() {
+    let english = Language::english();
+    let normal = || name("a").above(name("n")).below(joined("", [name("B"), name("A")]));
+    assert_eq!(normal().to_string(), "a^n_BA");
+    assert_eq!(normal().typeset(english), "a^{n}_{BA}");
+    // Within a message, a heading and a part with a label as by itself; a name is no markup.
+    let part = labelled(normal(), [("uk", "прискорення".to_owned())]).heading();
+    assert_eq!(part.typeset(english), "a^{n}_{BA}");
+    let quoted = joined(" ", [name("x_{1}"), name("R").below(name("ram/ground, rod"))]);
+    assert_eq!(quoted.render(english), "x_{1} R_ram_ground_rod");
+    assert_eq!(name("F").below(name("")), name("F"));
 }
 
 #[test]

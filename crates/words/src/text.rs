@@ -28,8 +28,29 @@ pub(crate) enum Content {
     Short(Box<Text>),
     /// The beginning of a line.
     Heading(Box<Text>),
+    /// Small letters below or above the line.
+    Raised { letters: Box<Text>, level: Level },
     /// Several texts with the same letters between them.
     Joined { between: &'static str, parts: Vec<Text> },
+}
+
+/// Where small letters of a symbol stand.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub(crate) enum Level {
+    /// A subscript.
+    Below,
+    /// A superscript.
+    Above,
+}
+
+impl Level {
+    /// What stands before the letters.
+    pub(crate) fn sign(self) -> char {
+        match self {
+            Self::Below => '_',
+            Self::Above => '^',
+        }
+    }
 }
 
 /// A text by its identity: `text!("group-past-end", group = name(group), gap = quantity(format_args!("{gap:.2}"), "mm"))`.
@@ -54,7 +75,9 @@ impl Text {
     pub fn identity(&self) -> Option<&'static str> {
         match &self.0 {
             Content::Message { id, .. } => Some(id),
-            Content::Short(text) | Content::Heading(text) => text.identity(),
+            Content::Short(text) | Content::Heading(text) | Content::Raised { letters: text, .. } => {
+                text.identity()
+            }
             Content::Joined { parts, .. } => parts.iter().find_map(Self::identity),
             Content::Name(_)
             | Content::Labelled { .. }
@@ -70,9 +93,10 @@ impl Text {
             Content::Name(letters) | Content::Unit(letters) => letters.is_empty(),
             Content::Number { digits, .. } => digits.is_empty(),
             Content::Joined { parts, .. } => parts.iter().all(Self::is_empty),
-            Content::Short(text) | Content::Heading(text) | Content::Labelled { name: text, .. } => {
-                text.is_empty()
-            }
+            Content::Short(text)
+            | Content::Heading(text)
+            | Content::Labelled { name: text, .. }
+            | Content::Raised { letters: text, .. } => text.is_empty(),
             Content::Message { .. } | Content::Count(_) => false,
         }
     }
@@ -88,10 +112,32 @@ impl Text {
             Content::Name(letters) => vec![letters],
             Content::Labelled { name, .. } => name.names(),
             Content::Message { values, .. } => values.iter().flat_map(|(_, value)| value.names()).collect(),
-            Content::Short(text) | Content::Heading(text) => text.names(),
+            Content::Short(text) | Content::Heading(text) | Content::Raised { letters: text, .. } => {
+                text.names()
+            }
             Content::Joined { parts, .. } => parts.iter().flat_map(Self::names).collect(),
             Content::Number { .. } | Content::Unit(_) | Content::Count(_) => Vec::new(),
         }
+    }
+
+    /// A symbol with a subscript: `F` with `bal` is `F_bal` where a line has no levels, and stands as in print where
+    /// [`typeset`](Self::typeset) writes it.
+    #[must_use]
+    pub fn below(self, subscript: impl Into<Self>) -> Self {
+        self.with(Level::Below, subscript.into())
+    }
+
+    /// A symbol with a superscript, as [`below`](Self::below): `a` with `n` is `a^n`.
+    #[must_use]
+    pub fn above(self, superscript: impl Into<Self>) -> Self {
+        self.with(Level::Above, superscript.into())
+    }
+
+    fn with(self, level: Level, letters: Self) -> Self {
+        if letters.is_empty() {
+            return self;
+        }
+        joined("", [self, Self(Content::Raised { letters: Box::new(letters), level })])
     }
 
     /// The same where there is little room: the attribute `.short` of its message, where a language has one.

@@ -165,6 +165,6 @@ working-to-point = (E eqs. 4-6) The same reduced to the point { $point } of the 
 working-energy-uniform = Uniformly accelerated motion (D eqs. 3.12, 3.13)
 working-energy-speed-at-start = speed at the start
 working-energy-speed-at-end = speed at the end
-working-energy-by-time = (3.12) ω = ε t + ω_{"{"}0{"}"}, from which the time:
+working-energy-by-time = (3.12) ω = ε t + { $speed }, from which the time:
 working-energy-way-by-time = (3.13) The displacement in this time, from the start on:
 working-energy-balance-resists = Constant moment of the resistance

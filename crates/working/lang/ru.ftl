@@ -165,6 +165,6 @@ working-to-point = (E, уравнения 4–6) То же, приведённо
 working-energy-uniform = Равноускоренное движение (D, уравнения 3.12, 3.13)
 working-energy-speed-at-start = скорость в начале
 working-energy-speed-at-end = скорость в конце
-working-energy-by-time = (3.12) ω = ε t + ω_{"{"}0{"}"}, откуда время:
+working-energy-by-time = (3.12) ω = ε t + { $speed }, откуда время:
 working-energy-way-by-time = (3.13) Путь за это время, от начала:
 working-energy-balance-resists = Постоянный момент сопротивления

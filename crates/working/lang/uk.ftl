@@ -165,6 +165,6 @@ working-to-point = (E, рівняння 4–6) Те саме, зведене д�
 working-energy-uniform = Рівноприскорений рух (D, рівняння 3.12, 3.13)
 working-energy-speed-at-start = швидкість на початку
 working-energy-speed-at-end = швидкість у кінці
-working-energy-by-time = (3.12) ω = ε t + ω_{"{"}0{"}"}, звідки час:
+working-energy-by-time = (3.12) ω = ε t + { $speed }, звідки час:
 working-energy-way-by-time = (3.13) Шлях за цей час, від початку:
 working-energy-balance-resists = Сталий момент опору

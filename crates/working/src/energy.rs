@@ -189,7 +189,7 @@ impl Work<'_> {
         let first = self.sheet.given(Symbol::from("ω").of(0), start.speed, speed, what);
         let what = text!("working-energy-speed-at-end");
         let last = self.sheet.given(Symbol::from("ω").of(1), end.speed, speed, what);
-        self.sheet.note(text!("working-energy-by-time"));
+        self.sheet.note(text!("working-energy-by-time", speed = &Symbol::from("ω").of(0)));
         let time = self.sheet.work("t", &((last - &first) / &acceleration), "s");
         self.sheet.note(text!("working-energy-way-by-time"));
         let way = acceleration * time.squared() / Expr::number(2.0) + first * time;

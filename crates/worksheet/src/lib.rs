@@ -29,7 +29,7 @@ pub use load::{Reaction, WorkedLoad};
 pub use place::{Guide, Point, Pose, Rod};
 pub use render::{WIDTH, text};
 pub use sheet::{Names, Sheet, Units, WorkingPlugin, Write, plugin_for};
-pub use symbol::{Symbol, plain};
+pub use symbol::Symbol;
 pub use term::Term;
 
 pub use assur_group::inventory;

@@ -2,7 +2,7 @@
 
 use assur_words::Language;
 
-use crate::{Entry, Section, Term, symbol::plain};
+use crate::{Entry, Section, Term};
 
 /// Greatest width of a row that is printed on paper, characters.
 pub const WIDTH: usize = 100;
@@ -34,10 +34,9 @@ pub fn text(sections: &[Section], width: usize, language: &Language) -> String {
 
 fn write(entry: &Entry, width: usize, language: &Language, out: &mut String) {
     if let Entry::Note(words) = entry {
-        return wrap(&plain(&words.render(language)), width, "  ", "    ", out);
+        return wrap(&words.render(language), width, "  ", "    ", out);
     }
-    let side =
-        |terms: Vec<Term>| plain(&terms.iter().map(|term| term.text().render(language)).collect::<String>());
+    let side = |terms: Vec<Term>| terms.iter().map(|term| term.text().render(language)).collect::<String>();
     let sides: Vec<String> = entry.sides().into_iter().map(side).collect();
     equation(&sides, width, out);
 }

@@ -4,7 +4,7 @@ use assur_words::{Language, Text, joined, list, name};
 
 /// The symbol of a quantity: a letter with primes and subscripts, each of which is a letter, a name of the scene or a word.
 ///
-/// Its text is printed with the subscripts between `_{` and `}`; [`plain`] is the form without this markup.
+/// Its text has them as subscripts.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Symbol {
     letter: Text,
@@ -39,9 +39,9 @@ impl Symbol {
         list(self.below.iter().cloned())
     }
 
-    /// The symbol in a language without markup.
+    /// The symbol in a language, with its subscripts on the line.
     pub fn plain(&self, language: &Language) -> String {
-        plain(&Text::from(self).render(language))
+        Text::from(self).render(language)
     }
 }
 
@@ -79,19 +79,7 @@ impl From<&Symbol> for Text {
     fn from(symbol: &Symbol) -> Self {
         match symbol.below[..] {
             [] => symbol.letter(),
-            _ => joined("", [symbol.letter(), name("_{"), symbol.subscript(), name("}")]),
+            _ => symbol.letter().below(symbol.subscript()),
         }
     }
-}
-
-/// A text whose subscripts are one word with their letter: `x_{B, rod}` as `x_B_rod`.
-pub fn plain(text: &str) -> String {
-    let mut parts = text.split("_{");
-    let first = parts.next().unwrap_or_default().to_owned();
-    parts.fold(first, |line, part| {
-        let (below, rest) = part.split_once('}').unwrap_or((part, ""));
-        let word = below.replace(", ", "_");
-        let word: String = word.chars().map(|c| if c.is_alphanumeric() { c } else { '_' }).collect();
-        line + "_" + &word + rest
-    })
 }

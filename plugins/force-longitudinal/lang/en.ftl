@@ -46,7 +46,7 @@ force-longitudinal-on-o = RA minus the loads of the crank: the pin { $pin } on t
 force-longitudinal-guide-on = the guide { $end } on `{ $third }`
 force-longitudinal-pin-on = the pin { $end } on `{ $third }`
 force-longitudinal-working = Longitudinal reactions (L): equations (2) to (12)
-force-longitudinal-working-axes = Axes of L: the origin is O, y goes along the guide (of a rocker: across it) so that B is below O, x to the right of it. i is the unit vector of x in the axes of the ground; φ_{"{"}1{"}"} is the angle of the crank from -y towards x.
+force-longitudinal-working-axes = Axes of L: the origin is O, y goes along the guide (of a rocker: across it) so that B is below O, x to the right of it. i is the unit vector of x in the axes of the ground; { $angle } is the angle of the crank from -y towards x.
 force-longitudinal-working-loads = (2) The forces on the coupler in these axes, at their points; what the loads of the third link add at B comes last.
 force-longitudinal-working-pole = The pole P lies on the line of the crank at the height of B.
 force-longitudinal-working-moment = (8), (9) Distances of the point of the force from the pole; (7) moment about the pole, clockwise; (6), (5) balancing moment and balancing force at A.
@@ -64,5 +64,5 @@ force-longitudinal-parallelogram = oblique axes: through the end of F a parallel
 force-longitudinal-part-along = the component of F along KA
 force-longitudinal-upright = the normal to OP at { $point }
 force-longitudinal-parallel-to-crank = through the end of FA the parallel to OP, up to the normal: there it cuts off the balancing force
-force-longitudinal-working-closed = (8), (9) in closed form, with r_{"{"}2{"}"} = AN, b = AB, R the radius of the arc, a its angle at K, ψ the angle of the rod:
+force-longitudinal-working-closed = (8), (9) in closed form, with { $length } = AN, b = AB, R the radius of the arc, a its angle at K, ψ the angle of the rod:
 force-longitudinal-working-closed-same = They are the distances found above.

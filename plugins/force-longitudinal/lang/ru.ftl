@@ -46,7 +46,7 @@ force-longitudinal-on-o = RA без нагрузок кривошипа: шар�
 force-longitudinal-guide-on = направляющая { $end } на звено `{ $third }`
 force-longitudinal-pin-on = шарнир { $end } на звено `{ $third }`
 force-longitudinal-working = Продольные реакции (L): уравнения (2)–(12)
-force-longitudinal-working-axes = Оси по L: начало в O, ось y вдоль направляющей (у коромысла — поперёк него), так что B ниже O, ось x вправо от неё. i — орт оси x в осях стойки; φ_{"{"}1{"}"} — угол кривошипа от -y к x.
+force-longitudinal-working-axes = Оси по L: начало в O, ось y вдоль направляющей (у коромысла — поперёк него), так что B ниже O, ось x вправо от неё. i — орт оси x в осях стойки; { $angle } — угол кривошипа от -y к x.
 force-longitudinal-working-loads = (2) Силы на шатуне в этих осях, в их точках; последним идёт то, что добавляют в точке B нагрузки третьего звена.
 force-longitudinal-working-pole = Полюс P лежит на линии кривошипа на высоте точки B.
 force-longitudinal-working-moment = (8), (9) Расстояния точки приложения силы от полюса; (7) момент относительно полюса, по часовой стрелке; (6), (5) уравновешивающий момент и уравновешивающая сила в точке A.
@@ -64,5 +64,5 @@ force-longitudinal-parallelogram = косоугольные оси: через �
 force-longitudinal-part-along = составляющая F вдоль KA
 force-longitudinal-upright = перпендикуляр к OP в точке { $point }
 force-longitudinal-parallel-to-crank = через конец FA прямая, параллельная OP, до перпендикуляра: на нём она отсекает уравновешивающую силу
-force-longitudinal-working-closed = (8), (9) в замкнутой форме, где r_{"{"}2{"}"} = AN, b = AB, R — радиус дуги, a — её угол в K, ψ — угол шатуна:
+force-longitudinal-working-closed = (8), (9) в замкнутой форме, где { $length } = AN, b = AB, R — радиус дуги, a — её угол в K, ψ — угол шатуна:
 force-longitudinal-working-closed-same = Это найденные выше расстояния.

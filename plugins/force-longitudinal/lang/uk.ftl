@@ -46,7 +46,7 @@ force-longitudinal-on-o = RA без навантажень кривошипа: �
 force-longitudinal-guide-on = напрямна { $end } на ланку `{ $third }`
 force-longitudinal-pin-on = шарнір { $end } на ланку `{ $third }`
 force-longitudinal-working = Поздовжні реакції (L): рівняння (2)–(12)
-force-longitudinal-working-axes = Осі за L: початок у O, вісь y уздовж напрямної (у коромисла — упоперек нього), так що B нижче за O, вісь x праворуч від неї. i — орт осі x в осях стояка; φ_{"{"}1{"}"} — кут кривошипа від -y до x.
+force-longitudinal-working-axes = Осі за L: початок у O, вісь y уздовж напрямної (у коромисла — упоперек нього), так що B нижче за O, вісь x праворуч від неї. i — орт осі x в осях стояка; { $angle } — кут кривошипа від -y до x.
 force-longitudinal-working-loads = (2) Сили на шатуні в цих осях, у їхніх точках; останнім іде те, що додають у точці B навантаження третьої ланки.
 force-longitudinal-working-pole = Полюс P лежить на лінії кривошипа на висоті точки B.
 force-longitudinal-working-moment = (8), (9) Відстані точки прикладання сили від полюса; (7) момент відносно полюса, за годинниковою стрілкою; (6), (5) зрівноважувальний момент і зрівноважувальна сила в точці A.
@@ -64,5 +64,5 @@ force-longitudinal-parallelogram = косокутні осі: через кін�
 force-longitudinal-part-along = складова F уздовж KA
 force-longitudinal-upright = перпендикуляр до OP у точці { $point }
 force-longitudinal-parallel-to-crank = через кінець FA пряма, паралельна OP, до перпендикуляра: на ньому вона відтинає зрівноважувальну силу
-force-longitudinal-working-closed = (8), (9) у замкненій формі, де r_{"{"}2{"}"} = AN, b = AB, R — радіус дуги, a — її кут у K, ψ — кут шатуна:
+force-longitudinal-working-closed = (8), (9) у замкненій формі, де { $length } = AN, b = AB, R — радіус дуги, a — її кут у K, ψ — кут шатуна:
 force-longitudinal-working-closed-same = Це знайдені вище відстані.

@@ -98,7 +98,7 @@ fn written(sheet: &mut Sheet, of: &Symbol, parts: &[Expr; 2]) -> [Expr; 2] {
 impl Axes {
     /// Writes the axes, the crank angle and the places of A and B.
     fn of(sheet: &mut Sheet, layout: &Layout, bodies: &[Body<f64>]) -> Self {
-        sheet.note(text!("force-longitudinal-working-axes"));
+        sheet.note(text!("force-longitudinal-working-axes", angle = &Symbol::from("φ").of(1)));
         let setting = Setting::of(layout, bodies, &vec![assur_group::Wrench::ZERO; bodies.len()]);
         let [o, a, b] =
             [(layout.crank, layout.o.own), (layout.coupler, layout.a.own), (layout.coupler, layout.b.own)]
@@ -289,7 +289,7 @@ fn closed(sheet: &mut Sheet, axes: &Axes, k: &Acts, arc: &Arc) {
         return;
     }
     let [x, y] = [xa + (xa - xb) * arc.r2 / arc.b - xk, ya + (ya - yb) * arc.r2 / arc.b - yk];
-    sheet.note(text!("force-longitudinal-working-closed"));
+    sheet.note(text!("force-longitudinal-working-closed", length = &Symbol::from("r").of(2)));
     let mut given = |symbol: Symbol, value, unit| sheet.given(symbol, value, unit, Text::default());
     let r2 = given(Symbol::from("r").of(2), arc.r2, "m");
     let b = given("b".into(), arc.b, "m");

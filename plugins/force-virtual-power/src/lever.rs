@@ -186,7 +186,7 @@ impl Lever<'_> {
     /// The balancing load where it acts; a moment on the crank as a force at its pin.
     fn balance(&self, size: f64) -> Vec<ConstructionStep> {
         let (mechanism, bodies) = (&self.linkage.mechanism, self.bodies);
-        let (kind, symbol) = (VectorKind::Balancing, text!("force-lever-balance"));
+        let (kind, symbol) = (VectorKind::Balancing, name("F").below(text!("force-lever-index")));
         let on_input = text!("force-lever-balancing-load");
         let driver = mechanism.input.first();
         let input = driver.link;

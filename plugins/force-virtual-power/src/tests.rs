@@ -140,7 +140,7 @@ fn the_lever_of_the_press_is_balanced_by_a_force_at_a() {
     let forces: Vec<_> = drawn.steps.iter().filter(|step| step.unit == "N").collect();
     assert_eq!(forces.len(), 2, "{forces:?}");
     let (a, balance) =
-        (step(&drawn, Drawing::Lever, "a").unwrap(), step(&drawn, Drawing::Lever, "F_{bal}").unwrap());
+        (step(&drawn, Drawing::Lever, "a").unwrap(), step(&drawn, Drawing::Lever, "F_bal").unwrap());
     assert!((0..2).all(|i| (balance.start[i] - a.vector[i]).abs() < 1e-15), "{balance:?} {a:?}");
     let [sin, cos] = [coordinate.sin(), coordinate.cos()];
     let along = balance.vector[0] * cos + balance.vector[1] * sin;

@@ -24,8 +24,8 @@ fn is_symbol(word: &str) -> bool {
     let others: BTreeSet<char> = letters().filter(|letter| !"ovx".contains(*letter)).collect();
     // A symbol of the working has subscripts: l_A_B.
     let parts = || word.split('_').all(|part| part.len() <= 2);
-    // Of a plan: the normal part of the acceleration of C relative to A, written a^n_CA on paper.
-    let relative = ["an", "at", "ar", "ac", "v"]
+    // Of a plan: the normal part of the acceleration of C relative to A, a^n_CA, behind its letter.
+    let relative = ["n_", "t_", "r_", "c_", "v_", "a_"]
         .iter()
         .filter_map(|kind| word.trim_start_matches(['o', 'v', 'x']).strip_prefix(kind));
     let is_relative =

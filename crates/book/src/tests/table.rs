@@ -63,3 +63,10 @@ fn a_small_ratio_beside_a_great_one_is_no_rounding() {
     assert_eq!(crate::Digits::Ratio.write(3.86, sizes, 6).to_string(), "3.86");
     assert_eq!(crate::Digits::Even.write(3.86, sizes, 6).to_string(), "0");
 }
+
+#[test]
+fn an_iteration_has_two_thirds_more_digits_than_the_table() {
+    let told = |value, significant| crate::Digits::Long.write(value, [7.0; 2], significant).to_string();
+    assert_eq!([told(6.437_669_937_1, 6), told(6.437_669_937_1, 4)], ["6.437669937", "6.43767"]);
+    assert_eq!(told(2.5e-5, 4), "2.50000e-5");
+}

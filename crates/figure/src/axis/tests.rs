@@ -1,6 +1,6 @@
 //! Tests of `axis`.
 
-use assur_words::Text;
+use assur_words::{Text, name};
 
 use super::{Axis, AxisKind, extent};
 
@@ -80,4 +80,14 @@ fn a_place_on_an_axis_leads_back_to_its_value() {
             assert!((axis.value(axis.part(value)) - value).abs() < 1e-12 * value, "{kind:?} {value}");
         }
     }
+}
+
+#[test]
+fn the_factor_of_the_coordinate_is_not_that_of_an_angle_over_it() {
+    let axis = || Axis::around(name("q"), [0.0, 1.0], 0.0);
+    let symbol = |axis: Axis| axis.scale.unwrap().symbol;
+    assert_eq!([symbol(axis().of_coordinate("deg")), symbol(axis().measuring("deg"))], ["q", "φ"]);
+    assert_eq!([symbol(axis().of_coordinate("mm")), symbol(axis().measuring("mm"))], ["q", "s"]);
+    // Time has one factor, along which axis it may be.
+    assert_eq!(symbol(axis().of_coordinate("s")), "t");
 }

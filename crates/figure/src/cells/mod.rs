@@ -120,7 +120,7 @@ fn draw_marks(marks: &[Item], size: [u16; 2], look: Look) -> (Raster, Labels) {
     }
     for mark in marks {
         if let Item::Name { at, text, ink, needed } = mark {
-            let told = flat(&text.render(look.language));
+            let told = text.render(look.language);
             labels.beside(&raster, cell(*at), &told, *ink, *needed);
         }
     }
@@ -142,8 +142,6 @@ fn draw_marks(marks: &[Item], size: [u16; 2], look: Look) -> (Raster, Labels) {
     }
     (raster, labels)
 }
-
-pub use crate::letters::flat;
 
 const HATCH: &str = "╱";
 

@@ -62,21 +62,21 @@ pub(super) fn elements(
         let ends = x.range.map(|end| place([end, at]));
         elements.push(grid(&ends, at == 0.0, fine_width));
         let corner = [plot.left - 0.4 * em, ends[0][1] + 0.35 * em];
-        elements.push(print.text(corner, &number.render(print.language), Ink::Text, Anchor::End));
+        elements.push(print.text(corner, &number.typeset(print.language), Ink::Text, Anchor::End));
     }
     for (at, number) in x.ticks(count(plot.width, APART[0])) {
         let ends = upright(at);
         elements.push(grid(&ends, false, fine_width));
         if shows_axis {
             let corner = [ends[0][0], plot.top + plot.height + 1.2 * em];
-            elements.push(print.text(corner, &number.render(print.language), Ink::Text, Anchor::Middle));
+            elements.push(print.text(corner, &number.typeset(print.language), Ink::Text, Anchor::Middle));
         }
     }
     let [left, right] = x.range.map(upright);
     elements.push(polygon(&[left[0], left[1], right[1], right[0]], fine_width, None, Ink::Text));
     if shows_axis {
         let corner = [plot.left + 0.5 * plot.width, plot.top + plot.height + 2.6 * em];
-        let label = x.label.render(print.language);
+        let label = x.label.typeset(print.language);
         let label = below_told.map_or(label.clone(), |told| format!("{label}   {told}"));
         elements.push(print.text(corner, &label, Ink::Text, Anchor::Middle));
     }
@@ -100,7 +100,7 @@ pub(super) fn numbers(figure: &Figure, height: f64, print: &Print<'_>) -> f64 {
         Frame::Plane { .. } => None,
     });
     let ticks = axes.flat_map(|axis| upright_ticks(&axis, height));
-    ticks.map(|(_, text)| print.width(&text.render(print.language))).fold(0.0, f64::max)
+    ticks.map(|(_, text)| print.width(&text.typeset(print.language))).fold(0.0, f64::max)
 }
 
 /// The ticks of a vertical axis of this height, mm; two at least, from which its scale is seen.
@@ -131,14 +131,14 @@ fn to_scale(x: &Axis, vertical: Axis, [width, height]: [f64; 2], factors: [Optio
 
 /// The factor of an axis in words.
 fn factor_told(axis: &Axis, factor: Option<f64>, print: &Print<'_>) -> Option<String> {
-    Some(axis.scale.as_ref()?.factor(factor?)?.render(print.language))
+    Some(axis.scale.as_ref()?.factor(factor?)?.typeset(print.language))
 }
 
 /// The room of a factor of an axis, mm, with the space before it: of a long one; none where it has none.
 pub(super) fn factor_room(axis: &Axis, print: &Print<'_>) -> f64 {
     const LONG: f64 = 2.5e-2;
     let told = axis.scale.as_ref().and_then(|scale| scale.factor(LONG / scale.size));
-    told.map_or(0.0, |told| print.width(&told.render(print.language)) + BESIDE * print.style.em)
+    told.map_or(0.0, |told| print.width(&told.typeset(print.language)) + BESIDE * print.style.em)
 }
 
 fn widened(axis: &Axis) -> Axis {

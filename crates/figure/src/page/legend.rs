@@ -14,7 +14,7 @@ pub(super) fn rows<'a>(figure: &'a Figure, width: f64, print: &Print<'_>) -> Row
     let mut rows: Rows<'_> = Vec::new();
     let mut used = f64::INFINITY;
     for key in &figure.legend {
-        let text = key.text.render(print.language);
+        let text = key.text.typeset(print.language);
         let wide = wide(&text, print);
         if used + wide > width {
             rows.push(Vec::new());

@@ -129,5 +129,5 @@ fn bar(own: &Scale, scale: f64, [left, base]: Point, print: &Print<'_>) -> [Elem
 /// The length of the bar of a scale, and what it is with the factor: what a millimeter stands for.
 pub(crate) fn told(own: &Scale, scale: f64, language: &Language) -> (f64, String) {
     let (bar, length) = own.bar(BAR * scale);
-    (bar, joined("   ", std::iter::once(length).chain(own.factor(scale))).render(language))
+    (bar, joined("   ", std::iter::once(length).chain(own.factor(scale))).typeset(language))
 }

@@ -1,9 +1,9 @@
-//! Tables in pages: columns as wide as their words, rows that no page divides, the head anew on each page.
+//! Tables in pages: columns as wide as their words, rows that no page divides, the head anew on each page, no picture between the pages.
 
 use assur_figure::{Anchor, Element, Ink};
 
 use super::lines::wrapped;
-use super::{APART, FINE, LEFT, LINE, Pages, SMALL, WIDTH};
+use super::{APART, FINE, LAST, LEFT, LINE, Pages, SMALL, WIDTH};
 use crate::sheet::Grid;
 
 /// Free border of a cell, mm.
@@ -20,18 +20,22 @@ pub(super) fn put(pages: &mut Pages, [caption, again]: [&str; 2], grid: &Grid) {
     let rows: Vec<_> = grid.rows.iter().map(|row| cells(row, &widths)).collect();
     let caption = wrapped(caption, WIDTH, SMALL);
     let first: f64 = rows.iter().take(TOGETHER).map(|row| high(row)).sum();
-    pages.need(LINE * SMALL * caption.len() as f64 + high(&head) + first + APART);
+    let above = LINE * SMALL * caption.len() as f64 + high(&head) + APART;
+    if pages.y + above + rows.iter().map(|row| high(row)).sum::<f64>() > LAST {
+        pages.catch_up();
+    }
+    pages.need(above + first);
     for line in &caption {
         pages.line(line, SMALL, 0.0);
     }
     pages.y += APART;
     row(pages, &head, &widths, |_| Anchor::Middle);
     for (number, cells) in rows.iter().enumerate() {
-        let before = pages.done.len();
         // The last row does not stand alone on a page.
         let next = rows.get(number + 1).filter(|_| number + 2 == rows.len());
-        pages.need(high(cells) + next.map_or(0.0, |cells| high(cells)));
-        if pages.done.len() > before {
+        // No picture stands between the parts of a table.
+        if pages.y + high(cells) + next.map_or(0.0, |cells| high(cells)) > LAST {
+            pages.turn();
             pages.line(again, SMALL, 0.0);
             pages.y += APART;
             row(pages, &head, &widths, |_| Anchor::Middle);
@@ -39,6 +43,7 @@ pub(super) fn put(pages: &mut Pages, [caption, again]: [&str; 2], grid: &Grid) {
         row(pages, cells, &widths, |at| if grid.right[at] { Anchor::End } else { Anchor::Start });
     }
     pages.y += 2.0 * APART;
+    pages.settle();
 }
 
 /// Widths of the columns, mm: what the widest word or cell needs, less in the widest where there is too little room.

@@ -125,7 +125,7 @@ impl Page {
             _ => self.style.line(&term.text()),
         };
         let line: String = terms.iter().map(term).collect();
-        self.wrapped(LineKind::Words, &assur_worksheet::plain(&line), 2, 4);
+        self.wrapped(LineKind::Words, &line, 2, 4);
     }
 
     fn facts(&mut self, caption: &Text, facts: &[Fact]) {

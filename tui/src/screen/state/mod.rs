@@ -155,7 +155,7 @@ impl State {
     }
 
     pub(crate) fn told(&self, text: impl Into<Text>) -> String {
-        let told = assur_figure::cells::flat(&text.into().render(self.language()));
+        let told = text.into().render(self.language());
         if self.look.ascii { assur_words::latin(&told).into_owned() } else { told }
     }
 

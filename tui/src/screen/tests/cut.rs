@@ -1,4 +1,4 @@
-//! What is shown is whole: in no view of any shipped scene, in no language is a number cut or parted from its unit.
+//! What is shown is whole and in no markup: in no view of any shipped scene, in no language is a number cut or parted from its unit.
 
 use assur_figure::cells::cut;
 use assur_fixtures::SCENES;
@@ -47,6 +47,17 @@ fn no_number_is_cut() {
     });
     assert!(bad.is_empty(), "{}", bad.join("\n"));
     assert!(seen > 100, "names are shortened in these views: {seen}");
+}
+
+#[test]
+fn no_mark_of_a_subscript_is_seen() {
+    let mut seen = 0;
+    each_frame(|name, state| {
+        let frame = text(state, 120, 40);
+        assert!(!frame.contains("_{") && !frame.contains("^{"), "{name} {:?}: {frame}", state.view);
+        seen += frame.matches("F_").count();
+    });
+    assert!(seen > 0, "forces have subscripts");
 }
 
 #[test]

@@ -55,7 +55,7 @@ fn the_lever_is_in_balance_and_tells_the_arms_of_its_forces() {
             };
             // Of many entries the first ones are shown, this one in any case; there it is a force of its own.
             if scene != "rolling-press" {
-                let balance = told("F_{bal} ");
+                let balance = told("F_bal ");
                 let size = number_behind(&balance[..balance.find(" N").unwrap()].replace("  ", "#"), "#");
                 let moment = found.balancing().unwrap().at(position).abs();
                 let arm = number_behind(&balance, "h = ");
@@ -126,7 +126,7 @@ fn a_hodograph_has_axes_in_newtons_and_marks_positions_by_their_numbers() {
             _ => None,
         });
         let (numbers, axes): (Vec<_>, Vec<_>) = names.partition(|(_, text)| text.parse::<f64>().is_ok());
-        assert_eq!(axes.iter().map(|(_, text)| text.as_str()).collect::<Vec<_>>(), ["R_{x}, N", "R_{y}, N"]);
+        assert_eq!(axes.iter().map(|(_, text)| text.as_str()).collect::<Vec<_>>(), ["R_x, N", "R_y, N"]);
         assert!(numbers.len() >= least.min(2), "{}: {numbers:?}", of.name);
         for (at, text) in numbers {
             let value: f64 = text.parse().unwrap();

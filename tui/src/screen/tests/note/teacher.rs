@@ -1,8 +1,9 @@
 //! What a strict teacher would send a note back for: a table without a name, a figure that the text doesn't name before it, a
 //! word of another language, a row of the cover that can't be filled in.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
+use assur_figure::{Element, Form as Drawn};
 use assur_picture::Results;
 use assur_scene::Note;
 use assur_words::{LANGUAGES, Language, text};
@@ -75,6 +76,74 @@ fn no_page_but_the_last_is_less_than_two_thirds_full() {
     }
 }
 
+/// The lines of a page from above, each with its size; the number of the page is not among them.
+fn lines(page: &[Element]) -> Vec<(f64, &str, f64)> {
+    let mut lines: Vec<_> = page
+        .iter()
+        .filter_map(|element| match &element.form {
+            Drawn::Text { at, words, size, .. } if at[1] < 280.0 => Some((at[1], words.as_str(), *size)),
+            _ => None,
+        })
+        .collect();
+    lines.sort_by(|a, b| a.0.total_cmp(&b.0));
+    lines
+}
+
+#[test]
+fn no_picture_divides_a_table() {
+    let mut divided = 0;
+    for scene in SCENES {
+        let results = results(scene);
+        for (language, mark) in
+            [("en", ", continued"), ("uk", "Продовження таблиці"), ("ru", "Продолжение таблицы")]
+        {
+            let note = Note { language: Some(language), ..Note::default() };
+            for page in &assur_note::pages(&results, &note).unwrap() {
+                let lines = lines(page);
+                let at = lines.iter().position(|(_, words, _)| words.contains(mark));
+                assert!(
+                    at.is_none_or(|at| at == 0),
+                    "{scene} {language}: {} stands below {}",
+                    lines[at.unwrap()].1,
+                    lines[0].1
+                );
+                divided += usize::from(at.is_some());
+            }
+        }
+    }
+    assert!(divided > 5, "{divided}");
+}
+
+#[test]
+fn no_chapter_begins_before_the_pictures_of_another_but_on_a_page_that_would_be_empty() {
+    /// Size of the heading of a chapter, and where a page is full enough to end before it, mm.
+    const HEADING: f64 = 4.8;
+    const FULL: f64 = 22.0 + 0.7 * 253.0;
+    for scene in SCENES {
+        let results = results(scene);
+        let html = without_pictures(&html(&results, "en"));
+        // The chapter of each figure, by the order in the text.
+        let chapter_of = |at: usize| html[..at].matches("<h2 id").count();
+        let wanted: BTreeMap<usize, usize> = numbers_behind(&html, "<figcaption>Figure ")
+            .map(|(at, figure)| (figure, chapter_of(at)))
+            .collect();
+        let (mut chapter, mut early) = (0, 0);
+        let pages = assur_note::pages(&results, &Note { language: Some("en"), ..Note::default() }).unwrap();
+        for page in pages.iter().skip(1) {
+            for (y, words, size) in lines(page) {
+                let number = words.split_once(". ").and_then(|(number, _)| number.parse::<usize>().ok());
+                if let (Some(number), true) = (number, (size - HEADING).abs() < 1e-9) {
+                    chapter = number;
+                    early = usize::from(y < FULL);
+                } else if let Some((_, figure)) = numbers_behind(words, "Figure ").next() {
+                    let own = wanted[&figure];
+                    assert!(own == chapter || early > 0, "{scene}: figure {figure} of {own} in {chapter}");
+                }
+            }
+        }
+    }
+}
+
 #[test]
 fn every_table_has_a_number_and_a_name() {
     for scene in SCENES {
@@ -119,6 +188,21 @@ fn only_symbols_and_names_of_registries_have_latin_letters() {
                 let is_word = letters.clone().count() > 2 && letters.clone().any(|c| c.is_ascii_lowercase());
                 assert!(!is_word || known.contains(word), "{scene} {code}: {word}");
             }
+        }
+    }
+}
+
+#[test]
+fn what_is_told_of_polygons_and_of_links_is_there() {
+    let told = |language| text!("note-forces-polygons").render(Language::find(language).unwrap());
+    for language in LANGUAGES {
+        // A disc alone has no polygon.
+        assert!(!html(&results("brake"), language).contains(&told(language)), "{language}");
+        let triad = html(&results("triad"), language);
+        assert!(triad.contains(&told(language)), "{language}");
+        // The center of mass of link 1 has the number of the link, as in the drawings.
+        for link in ["crank", "кривошип"] {
+            assert!(!triad.contains(&format!("<sub>{link}")), "{language}");
         }
     }
 }
