@@ -202,7 +202,7 @@ fn several_reactions_are_drawn_together_with_their_values() {
         assert!(drawn.contains(&key), "{key}");
     }
     for (more, problem) in [
-        (&["--show", "C on rockr"][..], "`C on rockr` was not found; did you mean `C on rocker`?"),
+        (&["--show", "C on rockr"][..], "`C on rockr` was not found; there are: C on rocker, "),
         (&["--show", "A,C", "--part", "hodograph"], "no part `hodograph` here; it has overview, curves"),
     ] {
         let output = draw(more);

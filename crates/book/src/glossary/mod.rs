@@ -174,7 +174,7 @@ entries! {
     "word-multiplier" "dω(q + 2*π)/dω(q)", Some(Stage("6")), Some(Dynamics);
     "word-unevenness" "δ = (max(ω) - min(ω))/ω_m", Some(Energy("7")), Some(Results);
     "word-dynamic-unevenness" "2*δ/(φ_2 - φ_1)", Some(EnergyExample("2")), Some(Results);
-    "word-required-power" "P = |A_res|/(T*e)", Some(Stage("5")), Some(Dynamics);
+    "word-required-power" "P = |A_c|/(T*e)", Some(Stage("5")), Some(Dynamics);
     "word-excess" "A_e = max(A) - min(A)", Some(Energy("10")), Some(Results);
     "word-energy-mass" "ω² = 2*T/J", Some(Energy("10")), Some(Dynamics);
     "word-flywheel" "J = A_e/(ω_m²*δ)", Some(Energy("10")), Some(Dynamics);

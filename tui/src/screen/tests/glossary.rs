@@ -138,7 +138,7 @@ fn words_are_found_by_letters_formulas_and_sources() {
             "circle about a pin, of radius h, which the reaction R touches",
         ),
         ("m _ k / ( s", "torque of an asynchronous motor over its slip s"),
-        ("s q r t ( ( j", "the change of the kinetic energy T is the work A of all loads"),
+        ("s q r t ( ( j", "the change of the kinetic energy T is the work A of the drive and all loads"),
         ("o r t e g a", "below 1 there is exactly one solution"),
         ("d e a d Space p o i n t", "its PF0 is extreme and its PF1 is zero"),
     ];

@@ -400,7 +400,8 @@ fn rows_out_of_sight_are_counted_and_reached() {
     press(&mut state, "Down");
     assert!(text(&state, 80, 24).contains("input link"));
     press(&mut state, "Up");
-    assert!(text(&state, 80, 24).contains("F1 "));
+    let frame = text(&state, 80, 24);
+    assert!(frame.contains(" R17 ") && frame.contains("group 1"), "{frame}");
 }
 
 #[test]
