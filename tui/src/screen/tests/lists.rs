@@ -401,7 +401,7 @@ fn rows_out_of_sight_are_counted_and_reached() {
     assert!(text(&state, 80, 24).contains("input link"));
     press(&mut state, "Up");
     let frame = text(&state, 80, 24);
-    assert!(frame.contains(" R17 ") && frame.contains("group 1"), "{frame}");
+    assert!(frame.contains("F2 ") && !frame.contains("input link"), "{frame}");
 }
 
 #[test]
