@@ -41,12 +41,11 @@ impl SweepOptions {
     /// The sweep of a scene, ready to be run.
     fn sweep(&self, scene: &Scene, vary: &[&str]) -> Result<Sweep, SweepError> {
         let sample = self.sample.map(|count| Points::Sample { count: count.get(), seed: self.seed });
-        let (points, vary) = match &self.points {
-            Some(table) => (Points::Table, table.clone().vary(&scene.text)?),
-            None => {
-                let points = sample.unwrap_or_default();
-                (points, vary.iter().map(|one| Vary::parse(one, points)).collect::<Result<_, _>>()?)
-            }
+        let (points, vary) = if let Some(table) = &self.points {
+            (Points::Table, table.clone().vary(&scene.text)?)
+        } else {
+            let points = sample.unwrap_or_default();
+            (points, vary.iter().map(|one| Vary::parse(one, points)).collect::<Result<_, _>>()?)
         };
         let request = SweepRequest {
             points,
