@@ -253,19 +253,15 @@ const HEADING: usize = 2;
 /// The least width of a panel in which its heading, and beside it the factor of the axis of curves, are not cut off, mm.
 pub fn heading_width(panel: &Panel, style: Style, language: &Language) -> f64 {
     let print = &Print { style, language };
+    let title = plain(&panel.heading(), language);
+    let halves = title.match_indices(' ').map(|(at, _)| title.split_at(at));
+    let widest = halves.map(|(first, rest)| print.width(first).max(print.width(rest)));
+    let lines = widest.fold(print.width(&title), f64::min);
     let factor = match &panel.frame {
         Frame::Axes { y, .. } if style.axes_to_scale => axes::factor_room(y, print),
         _ => 0.0,
     };
-    width_in_lines(panel, print) + factor + 2.0 * (style.em + BORDER)
-}
-
-/// The least width of the heading of a panel in two lines.
-fn width_in_lines(panel: &Panel, print: &Print<'_>) -> f64 {
-    let title = plain(&panel.heading(), print.language);
-    let halves = title.match_indices(' ').map(|(at, _)| title.split_at(at));
-    let widest = halves.map(|(first, rest)| print.width(first).max(print.width(rest)));
-    widest.fold(print.width(&title), f64::min)
+    lines + factor + 2.0 * (style.em + BORDER)
 }
 
 fn heading(panel: &Panel, room: Room, print: &Print<'_>) -> Vec<Element> {

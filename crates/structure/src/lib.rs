@@ -9,7 +9,7 @@
 //! use assur_all as _; // the kinds of groups that ship
 //!
 //! let mechanism = assur_scene::read("shaper.toml", assur_fixtures::scene("shaper"))?;
-//! let structure = assur_structure::decompose(&mechanism)?;
+//! let structure = assur_structure::Structure::of(&mechanism)?;
 //! assert_eq!(structure.formula.as_str(), "I(ground,crank) -> II3(stone2,rocker) -> II5(stone4,ram)");
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```

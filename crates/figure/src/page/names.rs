@@ -8,6 +8,8 @@ use crate::trace::shifted;
 /// Mean width of a letter and of a digit of a proportional font, in text sizes.
 const LETTER: f64 = 0.62;
 const NARROW: f64 = 0.36;
+/// Widths are sums of those of letters, which differ by rounding with their order, mm: a text has room in its own width.
+const ROUNDING: f64 = 1e-9;
 /// Distance of a name from its point, in text sizes.
 const APART: f64 = 0.35;
 
@@ -39,7 +41,7 @@ pub(super) fn wrapped(text: &str, width: f64, em: f64) -> Vec<String> {
 
 /// The beginning of a text that fits into this width, with an ellipsis where the rest is missing.
 pub(super) fn fitted(text: &str, width: f64, em: f64) -> String {
-    if text_width(text, em) <= width {
+    if text_width(text, em) <= width + ROUNDING {
         return text.to_owned();
     }
     let beginnings = text.char_indices().map(|(end, _)| &text[..end]);

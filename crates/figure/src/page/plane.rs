@@ -3,7 +3,7 @@
 use assur_words::{Language, joined};
 
 use super::element::polyline;
-use super::{Anchor, BORDER, Element, Print, Room, drawn, heading, plain as plain_text, width_in_lines};
+use super::{Anchor, BORDER, Element, Print, Room, drawn, heading, plain as plain_text};
 use crate::bounds::Bounds;
 use crate::model::{Frame, Ink, Panel, Point, Stroke};
 use crate::number::round_up;
@@ -82,8 +82,7 @@ pub(super) fn at_scale(panel: &Panel, room: Room, scale: f64, print: &Print<'_>)
         let (length, words) = told(own, scale, print.language);
         length / scale + print.width(&words) + BEHIND * em
     };
-    let title = print.width(&plain_text(&panel.title, print.language)).max(width_in_lines(panel, print) + em);
-    let title = (title + em).min(room.width);
+    let title = (print.width(&plain_text(&panel.title, print.language)) + em).min(room.width);
     let width = scales.iter().map(of_scale).fold(drawn.max(title), f64::max);
     let lines = heading(panel, Room { width, ..room }, print).len() + scales.len();
     Room { width, height: high + print.style.row() * lines as f64, scale, ..room }
