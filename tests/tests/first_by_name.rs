@@ -34,6 +34,7 @@ const fn plugin(name: &'static str, gives_reactions: bool) -> AnalyzerPlugin {
         name,
         crate_name: env!("CARGO_PKG_NAME"),
         summary: TEST,
+        wording: TEST,
         source: TEST,
         instance: &Wrong,
         further: &[],

@@ -141,6 +141,8 @@ pub struct AnalyzerPlugin {
     pub crate_name: &'static str,
     /// One line.
     pub summary: Text,
+    /// How a note says it, the end of "Reactions are found ...": `by one linear system of all links`.
+    pub wording: Text,
     /// Source of the formulas.
     pub source: Text,
     /// The method.

@@ -9,7 +9,7 @@ use assur_force::{Construction, ConstructionStep, VectorKind};
 use assur_picture::forces::{self, beside_friction};
 use assur_picture::{Look, Reaction, Series, ViewPart, curves, plans, plots, polygons};
 use assur_report::topic;
-use assur_words::{Text, list, measured, name, number, text, unit};
+use assur_words::{Text, list, measured, number, text, unit};
 
 use crate::context::{Context, on_paper, show, still};
 use crate::formula::Finds;
@@ -32,7 +32,9 @@ pub(super) fn forces(context: &Context<'_>, page: &mut Document) {
         return;
     }
     page.heading(text!("note-forces"));
-    page.paragraph(text!("note-forces-text", analyzer = name(found.analyzer.clone())));
+    if let Some(method) = found.plans.calculation().analyzer {
+        page.paragraph(text!("note-forces-text", wording = method.wording.clone()));
+    }
     let drawn = loads(context);
     let size = [CURVE[0], 25.0 + 35.0 * drawn.rows() as f64];
     show(page, "note-see-loads", (drawn, size), text!("note-loads-drawn"));

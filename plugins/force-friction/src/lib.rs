@@ -40,6 +40,7 @@ assur_force::inventory::submit! {
         name: "coulomb",
         crate_name: env!("CARGO_PKG_NAME"),
         summary: text!("force-friction"),
+        wording: text!("force-friction.wording"),
         source: text!("force-friction.source"),
         instance: &Friction,
         further: &[],

@@ -24,6 +24,7 @@ assur_force::inventory::submit! {
         name: "groups",
         crate_name: env!("CARGO_PKG_NAME"),
         summary: text!("force-groups"),
+        wording: text!("force-groups.wording"),
         source: text!("force-groups.source"),
         instance: &Groups,
         further: &[],

@@ -1,5 +1,6 @@
 force-longitudinal = longitudinal reactions of a crank with one group RRP or RRR, by moments about A: no pole at infinity
     .source = L: Vladimirov, Kuznetsov, longitudinal reactions, eqs. 1-12
+    .wording = by the method of longitudinal reactions
 force-longitudinal-published = longitudinal reactions as published: fails where the crank is parallel to the line of the third reaction
 force-longitudinal-no-crank = its input link `{ $link }` slides; the method needs a crank
 force-longitudinal-balance = `[balance]` puts the balancing load elsewhere than on the crank `{ $link }`

@@ -53,6 +53,7 @@ const fn entry(
         name,
         crate_name: env!("CARGO_PKG_NAME"),
         summary,
+        wording: text!("force-longitudinal.wording"),
         source: text!("force-longitudinal.source"),
         instance,
         further: &["Fb", "R1", "R3"],

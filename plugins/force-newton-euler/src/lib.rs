@@ -27,6 +27,7 @@ assur_force::inventory::submit! {
         name: "newton-euler",
         crate_name: env!("CARGO_PKG_NAME"),
         summary: text!("force-newton-euler"),
+        wording: text!("force-newton-euler.wording"),
         source: text!("force-newton-euler.source"),
         instance: &NewtonEuler,
         further: &[],

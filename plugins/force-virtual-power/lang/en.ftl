@@ -1,5 +1,6 @@
 force-virtual-power = balancing load from the powers of all loads (Zhukovsky's lever); no reactions
     .source = principle of virtual power; Zhukovsky's lever
+    .wording = by the balance of powers (Zhukovsky's lever)
 force-lever-title = Zhukovsky's lever: velocity plan for dq = 1, turned clockwise
 force-lever-image = velocity of { $point } for dq = 1, turned
 force-lever-contact = velocity of the point of contact ({ $what }) for dq = 1, turned

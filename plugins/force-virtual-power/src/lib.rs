@@ -26,6 +26,7 @@ assur_force::inventory::submit! {
         name: "virtual-power",
         crate_name: env!("CARGO_PKG_NAME"),
         summary: text!("force-virtual-power"),
+        wording: text!("force-virtual-power.wording"),
         source: text!("force-virtual-power.source"),
         instance: &VirtualPower,
         further: &[],
