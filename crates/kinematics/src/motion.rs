@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use assur_group::plane::{dot, minus, perp, plus, vector};
 use assur_group::{Body, Order};
-use assur_mechanism::{InputPair, LinkId, Place, PointId, Slide, SlideId};
+use assur_mechanism::{LinkId, Place, PointId, Slide, SlideId};
 use assur_number::{Real, elementary};
 use serde::Serialize;
 
@@ -128,8 +128,7 @@ impl Linkage {
 
     /// Motion of a slide; that of a driven one between two moving links is the coordinate itself.
     pub fn slide_motion(&self, slide: SlideId, position: &Position) -> ScalarMotion {
-        let sole = self.mechanism.input.sole();
-        if sole.is_some_and(|sole| sole.is_relative() && sole.pair == InputPair::Slide(slide)) {
+        if self.mechanism.input.is_displacement_of(slide) {
             return ScalarMotion { pf0: position.coordinate, pf1: 1.0, pf2: 0.0 };
         }
         ScalarMotion::of_slide(&self.mechanism.slides[slide], &position.bodies)

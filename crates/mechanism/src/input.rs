@@ -129,6 +129,11 @@ impl Input {
         self.drivers.first().filter(|driver| driver.law.is_none())
     }
 
+    /// Whether the coordinate of the mechanism is the displacement of this slide between two moving links.
+    pub fn is_displacement_of(&self, slide: SlideId) -> bool {
+        self.sole().is_some_and(|sole| sole.is_relative() && sole.pair == InputPair::Slide(slide))
+    }
+
     /// What is driven first in the order of the scene.
     pub fn first(&self) -> &Driver {
         &self.drivers[0]

@@ -2,7 +2,7 @@
 
 use assur_kinematics::{PointMotion, ScalarMotion};
 use assur_mechanism::{InputPair, LinkId, Place, SlideId};
-use assur_number::{Lanes, elementary};
+use assur_number::{Lanes, Real, elementary};
 
 use super::{Rows, Sink};
 use crate::plan::Wanted;
@@ -101,9 +101,18 @@ impl Rows<'_> {
 
     #[inline]
     pub(super) fn slide(&self, slide: SlideId) -> ScalarMotion<Lanes> {
-        let drivers = &self.calculation.linkage.mechanism.input.drivers;
-        let driven =
-            drivers.iter().find(|driver| driver.law.is_some() && driver.pair == InputPair::Slide(slide));
+        let input = &self.calculation.linkage.mechanism.input;
+        if input.is_displacement_of(slide) {
+            return ScalarMotion {
+                pf0: self.position.coordinates,
+                pf1: Real::from_f64(1.0),
+                pf2: Real::from_f64(0.0),
+            };
+        }
+        let driven = input
+            .drivers
+            .iter()
+            .find(|driver| driver.law.is_some() && driver.pair == InputPair::Slide(slide));
         if let Some(driver) = driven {
             let [pf0, pf1, pf2] = [0, 1, 2].map(|order| self.of_law(driver, order));
             return ScalarMotion { pf0, pf1, pf2 };
