@@ -1,15 +1,17 @@
 //! A note as PDF: pages of A4 with the letters that they use. A picture that doesn't fit on a page waits for the next one, so that the
 //! text goes on in its place.
 
+mod float;
 mod front;
 mod lines;
 mod table;
 
 use assur_book::{Block, Term};
-use assur_figure::{Anchor, Element, Figure, Frame, Ink, Page, Style, elements, plane_scale};
+use assur_figure::{Anchor, Element, Ink};
 use assur_words::{Text, number, text};
 
 use super::sheet::NoteSheet;
+use float::{Drawn, Float};
 use lines::wrapped;
 
 /// Width and height of the paper, mm.
@@ -36,6 +38,10 @@ const FULL: f64 = 0.69;
 /// Down to which part of its height a picture is lower where the page has no more room: one of curves, and on a page that would end too
 /// early any.
 const SHRUNK: f64 = 0.7;
+/// Up to how many times its height the last picture of a page is higher where the page would end too early.
+const STRETCHED: f64 = 2.2;
+/// Difference of heights that is rounding, mm.
+const ROUNDING: f64 = 1e-9;
 /// Lines of a paragraph that no page divides.
 const UNDIVIDED: usize = 3;
 /// What must fit below a paragraph that leads to an equation, mm.
@@ -46,25 +52,27 @@ const HEADED: f64 = 14.0;
 const RULE: f64 = 60.0;
 const FINE: f64 = 0.2;
 
-/// A picture with its caption, as high as it is.
-struct Float {
-    elements: Vec<Element>,
-    high: f64,
-    /// Meters in a millimeter of its planes.
-    scale: Option<f64>,
-}
-
 /// The pages as they are filled.
 #[derive(Default)]
-pub(super) struct Pages {
+pub(super) struct Pages<'a> {
     done: Vec<Vec<Element>>,
     y: f64,
-    waiting: Vec<Float>,
+    waiting: Vec<Float<'a>>,
     /// Whether the last thing on the page is a heading.
     headed: bool,
+    /// The picture that was put last.
+    last: Option<Last<'a>>,
 }
 
-impl Pages {
+/// A picture on the page: how many elements the page had before it, and where it begins and ends, mm.
+struct Last<'a> {
+    float: Float<'a>,
+    before: usize,
+    from: f64,
+    to: f64,
+}
+
+impl<'a> Pages<'a> {
     fn page(&mut self) -> &mut Vec<Element> {
         if self.done.is_empty() {
             self.begin();
@@ -75,6 +83,7 @@ impl Pages {
 
     /// Begins a page with the pictures that wait for it.
     fn begin(&mut self) {
+        self.stretch();
         self.turn();
         self.settle();
     }
@@ -83,28 +92,63 @@ impl Pages {
     fn turn(&mut self) {
         self.done.push(Vec::new());
         self.y = TOP;
+        self.last = None;
+    }
+
+    /// Whether the page would be too short if it ended here.
+    fn is_short(&self) -> bool {
+        self.y < TOP + FULL * (LAST - TOP)
     }
 
     /// Puts the pictures that wait where they fit; on an empty page one in any case.
     fn settle(&mut self) {
-        while self.waiting.first().is_some_and(|float| self.y <= TOP || self.y + float.high <= LAST) {
+        while let Some(drawn) = self.waiting.first().and_then(|float| self.fitting(float)) {
             let float = self.waiting.remove(0);
-            self.put(float);
+            self.put(float, drawn);
         }
     }
 
-    /// Puts the pictures that wait, which belong to what is above, before what follows, where this doesn't leave a page half empty.
+    /// A picture as it goes where the page stands: as high as it is, or lower where this page has no more room.
+    fn fitting(&self, float: &Float<'a>) -> Option<Drawn> {
+        let room = LAST - self.y;
+        if self.y <= TOP || float.whole.high <= room + ROUNDING {
+            return Some(float.whole.clone());
+        }
+        float.lower(room, self.is_short())
+    }
+
+    /// Puts the pictures that wait, which belong to what is above, before what follows, where this leaves no page too short.
     fn catch_up(&mut self) {
-        while !self.waiting.is_empty() && self.y > TOP + FULL * (LAST - TOP) {
+        while !self.waiting.is_empty() {
+            self.stretch();
+            if self.is_short() {
+                break;
+            }
             self.begin();
         }
     }
 
-    fn put(&mut self, float: Float) {
-        let y = self.y;
-        self.page().extend(float.elements.into_iter().map(|element| element.moved([LEFT, y])));
-        self.y += float.high;
+    fn put(&mut self, float: Float<'a>, drawn: Drawn) {
+        let (from, before) = (self.y, self.page().len());
+        self.page().extend(drawn.elements.into_iter().map(|element| element.moved([LEFT, from])));
+        self.y += drawn.high;
         self.headed = false;
+        self.last = Some(Last { float, before, from, to: self.y });
+    }
+
+    /// Draws the picture at the end of a page that ends too early higher, where the page is then long enough.
+    fn stretch(&mut self) {
+        if !self.is_short() || self.last.as_ref().is_none_or(|last| last.to < self.y) {
+            return;
+        }
+        let Some(last) = self.last.take() else { return };
+        let room = (LAST - last.from).min(STRETCHED * (last.to - last.from));
+        let drawn = last.float.drawn(room, true);
+        if last.from + drawn.high >= TOP + FULL * (LAST - TOP) && drawn.high <= room + ROUNDING {
+            self.page().truncate(last.before);
+            self.y = last.from;
+            self.put(last.float, drawn);
+        }
     }
 
     /// Makes room for so much, on a new page where this one has too little.
@@ -119,14 +163,13 @@ impl Pages {
     }
 
     /// A picture here, or on the next page; pictures keep their order.
-    fn float(&mut self, float: Float) {
+    fn float(&mut self, float: Float<'a>) {
         if self.done.is_empty() {
             self.begin();
         }
-        if self.waiting.is_empty() && self.y + float.high <= LAST {
-            self.put(float);
-        } else {
-            self.waiting.push(float);
+        self.waiting.push(float);
+        if self.waiting.len() == 1 {
+            self.settle();
         }
     }
 
@@ -204,16 +247,16 @@ pub(super) fn pages(sheet: &NoteSheet<'_>) -> Vec<Vec<Element>> {
 /// What is written of the blocks so far.
 struct Body<'a> {
     sheet: &'a NoteSheet<'a>,
-    pages: Pages,
+    pages: Pages<'a>,
     /// The chapters with their pages.
     chapters: Vec<(String, usize)>,
     equations: usize,
     tables: usize,
 }
 
-impl Body<'_> {
+impl<'a> Body<'a> {
     /// Writes the first of some blocks; returns how many it took.
-    fn block(&mut self, blocks: &[Block]) -> usize {
+    fn block(&mut self, blocks: &'a [Block]) -> usize {
         let (sheet, next) = (self.sheet, blocks.get(1));
         match &blocks[0] {
             Block::Title(_) => {}
@@ -242,7 +285,7 @@ impl Body<'_> {
                 }
             }
             figure @ Block::Figure { .. } => {
-                self.pages.float(self.picture(&Text::default(), figure, f64::INFINITY));
+                self.pages.float(Float::new(sheet, None, figure));
             }
             table @ (Block::Table(_) | Block::Facts { .. }) => {
                 self.tables += 1;
@@ -257,27 +300,14 @@ impl Body<'_> {
 
     /// A picture with the sentence that names it; where the picture waits, the sentence goes with it, but stays below a heading and on a
     /// page that would end too early.
-    fn told(&mut self, words: &Text, figure: &Block) {
-        let mut whole = self.picture(words, figure, f64::INFINITY);
-        let pages = &self.pages;
-        let room = LAST - pages.y;
-        if pages.waiting.is_empty()
-            && whole.high > room
-            && room >= SHRUNK * whole.high
-            && (is_of_curves(figure) || pages.y < TOP + FULL * (LAST - TOP))
-        {
-            let lower = self.picture(words, figure, room);
-            // A plane has a round scale, and at half of it names cover each other.
-            let is_clear = lower.scale.zip(whole.scale).is_none_or(|(lower, whole)| lower < 2.0 * whole);
-            whole = if lower.high <= room && is_clear { lower } else { whole };
-        }
-        let stays = pages.headed || pages.waiting.is_empty() && pages.y < TOP + FULL * (LAST - TOP);
-        let fits = pages.waiting.is_empty() && pages.y + whole.high <= LAST;
-        if fits || !stays {
-            return self.pages.float(whole);
+    fn told(&mut self, words: &'a Text, figure: &'a Block) {
+        let float = Float::new(self.sheet, Some(words), figure);
+        let fits = self.pages.waiting.is_empty() && self.pages.fitting(&float).is_some();
+        if fits || !self.pages.headed && !(self.pages.waiting.is_empty() && self.pages.is_short()) {
+            return self.pages.float(float);
         }
         self.paragraph(words, false);
-        self.pages.float(self.picture(&Text::default(), figure, f64::INFINITY));
+        self.pages.float(Float::new(self.sheet, None, figure));
     }
 
     /// A paragraph, which does not stand apart from an equation that it leads to.
@@ -300,52 +330,6 @@ impl Body<'_> {
             _ => KEPT,
         }
     }
-
-    /// A picture below the sentence that names it; curves are so low that all has this height.
-    fn picture(&self, words: &Text, figure: &Block, room: f64) -> Float {
-        let Block::Figure { frames, size, caption } = figure else {
-            return Float { elements: Vec::new(), high: 0.0, scale: None };
-        };
-        let (mut elements, mut high) = (Vec::new(), 0.0);
-        for line in self.sheet.paragraphs(words).iter().flat_map(|own| wrapped(own, WIDTH, BODY)) {
-            high += LINE * BODY;
-            elements.push(Element::text([0.0, high], &line, BODY, Anchor::Start, Ink::Text));
-        }
-        high += if elements.is_empty() { 0.0 } else { APART };
-        let caption = self.sheet.line(caption);
-        let of = |size| picture(self.sheet, &frames[0], size, &caption);
-        let mut drawn = of(*size);
-        if high + drawn.high > room {
-            drawn = of([size[0], room - high - below_picture(&caption)]);
-        }
-        elements.extend(drawn.elements.into_iter().map(|element| element.moved([0.0, high])));
-        Float { elements, high: high + drawn.high, scale: drawn.scale }
-    }
-}
-
-/// Whether a figure has curves alone, which have no scale that a lower one would change.
-fn is_of_curves(figure: &Block) -> bool {
-    let Block::Figure { frames, .. } = figure else { return false };
-    frames[0].panels.iter().all(|panel| matches!(panel.frame, Frame::Axes { .. }))
-}
-
-fn picture(sheet: &NoteSheet<'_>, figure: &Figure, size: [f64; 2], caption: &str) -> Float {
-    let (drawn, [width, height]) = elements(figure, Page::Within(size), Style::NOTE, sheet.language);
-    let indent = 0.5 * (WIDTH - width).max(0.0);
-    let mut all: Vec<Element> = drawn.into_iter().map(|element| element.moved([indent, 0.0])).collect();
-    let mut y = height;
-    let high = height + below_picture(caption);
-    for line in wrapped(caption, WIDTH, SMALL) {
-        y += LINE * SMALL;
-        all.push(Element::text([0.5 * WIDTH, y], &line, SMALL, Anchor::Middle, Ink::Text));
-    }
-    let scale = plane_scale(figure, Page::Within(size), Style::NOTE, sheet.language);
-    Float { elements: all, high, scale }
-}
-
-/// Height of what stands below a picture, mm: its caption and free room.
-fn below_picture(caption: &str) -> f64 {
-    LINE * SMALL * wrapped(caption, WIDTH, SMALL).len() as f64 + 2.0 * APART
 }
 
 /// An equation with its number at the right.
