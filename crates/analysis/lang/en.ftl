@@ -114,5 +114,5 @@ analysis-load-without-work = Load `{ $load }` never does work: reactions alone c
 analysis-least-norm = Reactions that the passive links leave undetermined are those of least norm (forces, and moments divided by the size of the mechanism).
 analysis-open-reactions = Reactions that the passive links leave undetermined are left open; `{ $option }` gives those of least norm.
 analysis-driving-loads = Over the cycle the loads drive the mechanism, and the balancing load holds it back: { $loads }. If one of them is a resistance, reverse its direction.
-analysis-never-starts = The mechanism rests all the time: the motion begins at rest, and no load or drive starts it. Give a `speed`, a load or [drive].
+analysis-never-starts = The mechanism rests all the time: the motion begins at rest, and what drives there is not greater than what resists. Give a `speed`, or a load or [drive] that starts it.
 analysis-motors-passed-over = Motor { $motor } was chosen; the nearest ones before it were passed over: { $passed }.

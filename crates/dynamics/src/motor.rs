@@ -113,7 +113,8 @@ pub struct SteadyMotor {
     pub motor: Cow<'static, Motor>,
     /// How it works in the regime.
     pub work: MotorWork,
-    /// Other suitable motors, with the ratio that each would need, the best first; only if the motor was chosen.
+    /// Other motors that have the power, keep the limit of speed and start against the load, with the ratio that each would need, the
+    /// best first; only if the motor was chosen.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub runners_up: Vec<Candidate<'static>>,
     /// The motors that were not taken, and why; only if the motor was chosen.
@@ -183,7 +184,8 @@ impl SteadyMotor {
             curve,
             working_section,
         };
-        let DriveMotor { motor, runners_up, passed_over, .. } = motor;
+        let DriveMotor { motor, mut runners_up, passed_over, .. } = motor;
+        runners_up.retain(|one| starts(one, characteristic.kind, resistance / efficiency));
         Self { motor, work, runners_up, passed_over, warnings }
     }
 
@@ -193,6 +195,12 @@ impl SteadyMotor {
             self.passed_over = nearest(refused, row);
         }
     }
+}
+
+/// Whether a motor starts against a moment on the input, N m, as far as its torque at rest is known.
+fn starts(one: &Candidate<'_>, kind: CharacteristicKind, resistance: f64) -> bool {
+    let Ok(characteristic) = Characteristic::new(kind, &one.motor.rated_data()) else { return false };
+    check_starting(&characteristic, one.motor.starting_torque_ratio, resistance / one.ratio).is_none()
 }
 
 /// Points (speed rad/s, torque N m) of a characteristic between two speeds of the motor.

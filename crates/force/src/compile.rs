@@ -24,7 +24,7 @@ use crate::{
 
 /// How far from the first position the search over a cycle starts, as part of the cycle: much less than a cell of the
 /// grid.
-const BESIDE: f64 = 3.819_660_112_501_05e-4;
+pub(crate) const BESIDE: f64 = 3.819_660_112_501_05e-4;
 
 /// Fraction of the range that is skipped at each end, where the mechanism is nearly singular.
 const AT_ENDS: f64 = 1e-9;

@@ -10,6 +10,7 @@ use assur_number::{ROUNDING, elementary};
 use crate::{
     LoadFault,
     breaks::Breaks,
+    compile::BESIDE,
     curve::Curve,
     grid::{Bodies, Span},
 };
@@ -113,6 +114,9 @@ pub(crate) struct Segment {
 /// A point that is this many sizes of the mechanism away runs through infinity.
 const GREATEST_DISTANCE: f64 = 1e9;
 
+/// Distance between the places at the two ends of a cycle above which it is not closed, in sizes of the mechanism.
+const OPEN: f64 = 1e-6;
+
 /// Coordinate of the point along the axis and its two derivatives with respect to the input coordinate.
 struct Along<'a, 'b> {
     body: &'a mut BodyAt<'b>,
@@ -128,6 +132,16 @@ impl Along<'_, '_> {
         let arm = body.arm(self.at);
         let along = |v: [f64; 2]| self.axis[0] * v[0] + self.axis[1] * v[1];
         Ok([along(body.point(self.at)), along(body.first(arm)), along(body.second(arm))])
+    }
+
+    /// The span; one after which the point is elsewhere, as where the mechanism passes a change point into another assembly mode, does
+    /// not repeat and begins with the cycle.
+    fn closed(&mut self, span: &Span) -> Result<Span, LoadFault> {
+        let [start, end] = [self.place(span.from)?[0], self.place(span.from + span.length)?[0]];
+        if !span.periodic || (end - start).abs() <= OPEN * self.scale {
+            return Ok(*span);
+        }
+        Ok(Span { from: span.from - BESIDE * span.length, periodic: false, ..*span })
     }
 
     /// Where the point reverses, ascending.
@@ -196,6 +210,7 @@ impl Stroke {
     ) -> Result<Self, LoadFault> {
         let axis = [elementary::cos(angle), elementary::sin(angle)];
         let mut along = Along { body, at, axis, scale };
+        let [span, reach] = &[along.closed(span)?, along.closed(reach)?];
         let within = along.reversals(span)?;
         let travel = Travel::between(&mut along, &within, span)?;
         // A point that runs through infinity beyond the span has a stroke over it all the same.

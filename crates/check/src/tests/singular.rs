@@ -55,3 +55,20 @@ fn a_group_of_very_different_accelerations_keeps_the_digits_of_the_small_ones() 
     let all = checks(&scene(&text.replace("positions = 12", "positions = 7")));
     assert!(hold(&all), "{}", show(&all));
 }
+
+#[test]
+fn loads_over_a_stroke_through_a_change_point_pass() {
+    let scene = scene(
+        "[ground]\npoints = { O = [0, 0] }\n[link.crank]\npoints = { O = 0, A = 0.06 }\nmass = 2\n\
+         [link.rod]\npoints = { A = 0, B = 0.08 }\nmass = 1.5\n[link.piston]\npoints = { B = 0 }\nmass = 1.8\n\
+         [[slide]]\nlink = \"piston\"\non = \"ground\"\nthrough = [0, 0.02]\n\
+         [input]\nlink = \"crank\"\npositions = 12\n[motion]\nspeed = 30\n\
+         [[force]]\nname = \"gas\"\nlink = \"piston\"\nat = \"B\"\nangle = \"180 deg\"\n\
+         value = { over = \"stroke\", axis = 0, forward = [[0, 200], [0.5, 800], [1, 2000]], back = 0 }\n\
+         [assembly]\nB = [0.13, 0.02]\n",
+    );
+    // At 270 deg the rod stands across the guide, and the piston goes on to the other side: the turn does not end where it began.
+    let all = checks(&scene);
+    assert!(all.iter().any(|check| check.name.to_string() == "loads"), "{}", show(&all));
+    assert!(!all.iter().any(|check| check.finding.failed()), "{}", show(&all));
+}

@@ -122,14 +122,25 @@ impl Unit {
     }
 }
 
-/// The SI value of a text such as `120 mm`, `25 N*m` or `9.81 m/s²`; a number without a unit is taken as SI.
+/// The SI value of a text such as `120 mm`, `25 N*m` or `9.81 m/s²`; a number without a unit is taken as SI. A plain number may be a
+/// fraction: `1/30`.
 ///
 /// # Errors
 ///
 /// [`UnitError`]: no number, one out of range, an unknown unit, a unit of another dimension.
 pub fn quantity(text: &str, wanted: Dimension) -> Result<f64, UnitError> {
+    if let Some(value) = fraction(text).filter(|_| wanted == Dimension::Number) {
+        return within(value, text, wanted);
+    }
     let (number, unit) = parse::split(text, wanted)?;
     within(Unit::of(unit, wanted)?.si(number), text, wanted)
+}
+
+/// The value of a fraction of two numbers: `1/30`.
+fn fraction(text: &str) -> Option<f64> {
+    let (over, under) = text.split_once('/')?;
+    let [over, under] = [over, under].map(|part| part.trim().parse::<f64>().ok());
+    Some(over? / under?).filter(|value| value.is_finite())
 }
 
 /// Whether a text is a unit of any quantity.

@@ -8,7 +8,7 @@ use super::*;
 /// Text, dimension, SI value calculated by hand.
 #[rustfmt::skip]
 const GOOD: &[(&str, Dimension, f64)] = &[
-    ("120 mm", D::Length, 0.12), ("270 mm", D::Length, 0.27), ("-400 mm", D::Length, -0.4), ("2.5 cm", D::Length, 0.025),
+    ("1/30", D::Number, 1.0 / 30.0), ("120 mm", D::Length, 0.12), ("270 mm", D::Length, 0.27), ("-400 mm", D::Length, -0.4), ("2.5 cm", D::Length, 0.025),
     ("3 km", D::Length, 3000.0), ("5 um", D::Length, 5e-6), ("5 \u{b5}m", D::Length, 5e-6), ("1 m", D::Length, 1.0),
     ("180 deg", D::Angle, PI), ("360 deg", D::Angle, TAU), ("720 deg", D::Angle, 2.0 * TAU), ("90\u{b0}", D::Angle, PI / 2.0),
     ("5 rev", D::Angle, 5.0 * TAU), ("1 turn", D::Angle, TAU), ("1.5 rad", D::Angle, 1.5),
