@@ -59,8 +59,8 @@ fn a_group_of_very_different_accelerations_keeps_the_digits_of_the_small_ones() 
 #[test]
 fn loads_over_a_stroke_through_a_change_point_pass() {
     let scene = scene(
-        "[ground]\npoints = { O = [0, 0] }\n[link.crank]\npoints = { O = 0, A = 0.06 }\nmass = 2\n\
-         [link.rod]\npoints = { A = 0, B = 0.08 }\nmass = 1.5\n[link.piston]\npoints = { B = 0 }\nmass = 1.8\n\
+        "[ground]\npoints = { O = [0, 0] }\n[link.crank]\npoints = { O = 0, A = 0.06 }\nmass = 2\ncenter = 0.02\n\
+         [link.rod]\npoints = { A = 0, B = 0.08 }\nmass = 1.5\ncenter = 0.04\n[link.piston]\npoints = { B = 0 }\n\
          [[slide]]\nlink = \"piston\"\non = \"ground\"\nthrough = [0, 0.02]\n\
          [input]\nlink = \"crank\"\npositions = 12\n[motion]\nspeed = 30\n\
          [[force]]\nname = \"gas\"\nlink = \"piston\"\nat = \"B\"\nangle = \"180 deg\"\n\
