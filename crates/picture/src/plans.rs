@@ -1,10 +1,10 @@
 //! Plans of a position: force polygon of a group, velocities, accelerations, the constructions step by step.
 
 use assur_diagram::{PlanVector, VectorPlan, construction_picture};
-use assur_figure::{Bounds, Figure, Frame, Ink, Item, Key, Panel, Scale, Sign, Stroke, one_scale};
+use assur_figure::{Bounds, Figure, Frame, Ink, Item, Key, Panel, Point, Sample, Scale, Sign, Stroke, one_scale};
 use assur_force::{Construction, ConstructionStep, Drawing, VectorKind};
 use assur_group::plane::cross;
-use assur_words::{Describe, Text, joined, measured, name, number, text};
+use assur_words::{Describe, Text, joined, list, measured, name, number, text};
 
 use crate::{Found, Look, Plans, Results, ViewPart, mechanism, plots};
 
@@ -14,6 +14,8 @@ const LEAST: f64 = 1e-12;
 const FAR: f64 = 1.5;
 /// A vector shorter than this part of a construction is not named in it.
 const SHORT: f64 = 0.02;
+/// A vector shorter than this part of a drawing on paper is a speck in it.
+pub(crate) const SMALL: f64 = 0.03;
 /// Space around a construction, as part of its size.
 const AROUND: f64 = 0.06;
 /// Subscripts of the poles of the plans of velocities and of accelerations: a point P has the image p.
@@ -103,10 +105,43 @@ pub fn lever(results: &Results, look: &Look<'_>) -> Figure {
         let mut own = steps.iter().filter(|step| step.name == *text).peekable();
         own.peek().is_some() && own.all(|step| step.unit == "N" && length([[0.0; 2], step.vector]) == 0.0)
     };
+    let small = small_on_lever(&plans, step);
+    let is_small = |item: &Item| match item {
+        Item::Name { text, .. } => small.iter().any(|(own, _)| own == text),
+        Item::Line { points, .. } => small.iter().any(|(_, ends)| points == ends),
+        _ => false,
+    };
     for panel in &mut drawn.panels {
         panel.items.retain(|item| !matches!(item, Item::Name { text, .. } if is_zero(text)));
+        panel.items.retain(|item| !is_small(item));
     }
-    Figure { legend: Vec::new(), ..drawn }
+    Figure { legend: too_small(small.into_iter().map(|(own, _)| own).collect()), ..drawn }
+}
+
+/// The forces that are specks in the drawing of the lever up to a step, each with its ends.
+fn small_on_lever(plans: &Plans, step: usize) -> Vec<(Text, [Point; 2])> {
+    let Some((drawn, last)) = chosen_step(plans, step) else { return Vec::new() };
+    let (all, _) = construction_picture(drawn, true);
+    let size = largest(all.iter().flat_map(|(_, ends)| *ends));
+    let small = all.into_iter().filter(|(number, ends)| {
+        let step = &drawn.steps[*number];
+        let is_force = step.unit == "N" && !matches!(step.kind, VectorKind::Line | VectorKind::Point);
+        // What is zero has no arrow at any scale.
+        let is_zero = length([[0.0; 2], step.vector]) == 0.0;
+        *number < last && is_force && !is_zero && length(*ends) < SMALL * size
+    });
+    small.map(|(number, ends)| (drawn.steps[number].name.clone(), ends)).collect()
+}
+
+/// Says which vectors are left out of a drawing, because they would be specks in it; nothing where there are none.
+pub(crate) fn too_small(names: Vec<Text>) -> Vec<Key> {
+    /// Names in a row of the legend.
+    const IN_A_ROW: usize = 5;
+    let key = |(row, names): (usize, &[Text])| {
+        let names = list(names.iter().cloned());
+        Key { sample: Sample::None, text: if row == 0 { text!("plans-too-small", names) } else { names } }
+    };
+    names.chunks(IN_A_ROW).enumerate().map(key).collect()
 }
 
 /// The number of the step that completes the first lever.
@@ -192,27 +227,36 @@ pub(crate) fn panel_of_plan(part: ViewPart, plan: &VectorPlan) -> Panel {
 }
 
 pub(crate) fn panel_of(part: ViewPart, plan: &VectorPlan, shown: &[(Text, &PlanVector)]) -> Panel {
-    let vectors = shown.iter().map(|(label, item)| {
-        let ink = ink_of(part, item);
-        let name = if ink == Ink::Trace { Text::default() } else { label.clone() };
-        (plots::arrow([item.start, item.end], &name, ink), name)
-    });
+    let size = largest(shown.iter().flat_map(|(_, item)| [item.start, item.end]));
+    let is_seen = |item: &PlanVector| length([item.start, item.end]) > SMALL * size;
     let (symbol, pole) = match part {
         ViewPart::Velocities => ("v", Some(POLES[0])),
         ViewPart::Accelerations => ("a", Some(POLES[1])),
         _ => ("F", None),
     };
+    let vectors = shown.iter().map(|(label, item)| {
+        let (ends, ink) = ([item.start, item.end], ink_of(part, item));
+        let name = if ink == Ink::Trace { Text::default() } else { label.clone() };
+        let arrow = Item::Arrow { from: ends[0], to: ends[1], stroke: Stroke::Dotted, ink };
+        let is_component = pole.is_some() && ink == Ink::Trace && is_seen(item);
+        (if is_component { arrow } else { plots::arrow(ends, &name, ink) }, name)
+    });
     let mut panel = plots::vectors(vectors.collect(), Scale::of(symbol, &plan.unit), pole);
-    // The relative components of a plan of velocities or accelerations are named where there is room.
+    // The components of a plan of velocities or accelerations are named where they are long, or have room.
     let components = shown.iter().map(|(_, item)| item);
     let components = components.filter(|item| pole.is_some() && ink_of(part, item) == Ink::Trace);
     panel.items.extend(components.map(|item| Item::Name {
         at: [0, 1].map(|axis| 0.5 * (item.start[axis] + item.end[axis])),
         text: item.symbol.clone(),
         ink: Ink::Dim,
-        needed: false,
+        needed: is_seen(item),
     }));
     panel
+}
+
+/// The greater side of what these points need.
+pub(crate) fn largest(points: impl Iterator<Item = Point>) -> f64 {
+    Bounds::around(points).size().into_iter().fold(0.0, f64::max)
 }
 
 /// The label of a vector in the drawing and in the list: `R3`, or the point of an absolute velocity.

@@ -159,7 +159,9 @@ pub fn sheet(results: &Results, note: &Note, language: &Language) -> Result<Vec<
         let scale = (0..placed.len()).map(own).find(|(drawn, _)| drawn.field == SheetField::Mechanism);
         let scale = scale.and_then(|(drawn, size)| drawn.scale(size, language));
         let mass = results.linkage.mechanism.links.iter().skip(1).map(|link| link.mass).sum();
-        let filling = Filling { title, note, language, sheet: [number + 1, count], mass, scale };
+        let fields = (0..placed.len()).map(|at| own(at).0.field);
+        let drawing = title::drawing(&fields.collect::<Vec<_>>());
+        let filling = Filling { title, drawing, note, language, sheet: [number + 1, count], mass, scale };
         let elements = title::elements(standard, format::size(format), &filling);
         let mut parts = vec![Part { field: None, elements }];
         parts.extend(placed.iter().enumerate().map(|(at, placed)| {

@@ -115,7 +115,7 @@ impl Source<'_> {
     /// The results that are asked for first.
     pub(crate) fn table_of_results(&self) -> Drawn {
         /// Rows that a sheet has.
-        const MOST: usize = 24;
+        const MOST: usize = 32;
         let facts = topic::summary(&self.found.analysis, &self.results.linkage);
         let line = |text: &Text, language: &Language| text.typeset(language).replace('`', "");
         // The formula of the structure has the numbers of the links.
