@@ -172,7 +172,8 @@ impl Drawing<'_> {
     /// The sliders; of one whose guide belongs to a ground that is taken away, the direction of the guide as a fine line too.
     fn blocks(&self, bodies: &[Body<f64>]) -> impl Iterator<Item = Item> {
         let slides = self.linkage.mechanism.slides.iter();
-        let is_shown = |slide: &&Slide| self.shows(slide.link) && (slide.on == GROUND || self.shows(slide.on));
+        let is_shown =
+            |slide: &&Slide| self.shows(slide.link) && (slide.on == GROUND || self.shows(slide.on));
         slides.filter(is_shown).flat_map(|slide| {
             let (s, c) = slide.angle.sin_cos();
             let (at, along) = (bodies[slide.link].point(slide.point), bodies[slide.on].turned([c, s]));

@@ -83,6 +83,7 @@ following-path = path of { $point }
 following-transmission = transmission angle
 motion-none = no [motion] in the scene, so only J and Q; add it, with speed = "60 rpm"
 plans-no-construction = no method with a construction fits here
+lever-of-drive = balancing load, that of the drive with the inertia of flywheel and rotor
 plans-too-small = too small to be drawn at this scale: { $names }
 plans-no-force = No force acts on these links here: their loads are moments that balance each other, or there are none, so the reactions are zero and there is no polygon.
 plans-step = { $construction }, step { $step }
@@ -134,6 +135,7 @@ events-title = Events of the cycle: modes, friction, sides of guides
 assembly-input-link = Input link { $formula }
 assembly-reaction = reaction in { $of }
 assembly-inner-reaction = reaction within the group
+assembly-inner-moment = moment of the reaction within the group
 assembly-group = group { $formula }
 curve-angle = angle
 curve-displacement = displacement

@@ -83,6 +83,7 @@ following-path = траектория { $point }
 following-transmission = угол передачи
 motion-none = в сцене нет [motion], поэтому только J и Q; добавьте его, со speed = "60 rpm"
 plans-no-construction = здесь не подходит ни один метод с построением
+lever-of-drive = уравновешивающая: привод и силы инерции маховика и ротора
 plans-too-small = слишком малы для этого масштаба: { $names }
 plans-no-force = Здесь на эти звенья не действует ни одна сила: их нагрузки — моменты, которые уравновешиваются, или их нет; поэтому реакции нулевые, и плана сил нет.
 plans-step = { $construction }, шаг { $step }
@@ -134,6 +135,7 @@ events-title = События цикла: варианты сборки, тре�
 assembly-input-link = Входное звено { $formula }
 assembly-reaction = реакция { $of }
 assembly-inner-reaction = реакция внутри группы
+assembly-inner-moment = момент реакции внутри группы
 assembly-group = группа { $formula }
 curve-angle = угол
 curve-displacement = перемещение

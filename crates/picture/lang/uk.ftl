@@ -83,6 +83,7 @@ following-path = траєкторія { $point }
 following-transmission = кут передавання
 motion-none = у сцені немає [motion], тому лише J і Q; додайте його, зі speed = "60 rpm"
 plans-no-construction = тут не підходить жоден метод із побудовою
+lever-of-drive = зрівноважувальне: привід і сили інерції маховика й ротора
 plans-too-small = замалі для цього масштабу: { $names }
 plans-no-force = Тут на ці ланки не діє жодна сила: їхні навантаження — моменти, що зрівноважуються, або їх немає; тому реакції нульові, і плану сил немає.
 plans-step = { $construction }, крок { $step }
@@ -134,6 +135,7 @@ events-title = Події циклу: варіанти складання, те�
 assembly-input-link = Вхідна ланка { $formula }
 assembly-reaction = реакція { $of }
 assembly-inner-reaction = реакція всередині групи
+assembly-inner-moment = момент реакції всередині групи
 assembly-group = група { $formula }
 curve-angle = кут
 curve-displacement = переміщення

@@ -29,6 +29,9 @@ pub fn groups(results: &Results, position: usize) -> Figure {
         let formula = name(format!("I({GROUND},{})", numbers(&inputs)));
         let mut panel = apart(results, &pose, &inputs, true, text!("assembly-input-link", formula));
         panel.items.extend(turning(results, position));
+        if let Frame::Plane { bounds, .. } = &mut panel.frame {
+            *bounds = Bounds::around(panel.items.iter().flat_map(Item::points));
+        }
         panels.push(panel);
     }
     let groups = linkage.structure.groups.iter().filter(|group| !group.frame.links.is_empty());
@@ -45,7 +48,7 @@ pub fn groups(results: &Results, position: usize) -> Figure {
 /// An arrow around the pin of each input link that turns about the ground, in the sense of its speed in a position; none at rest.
 fn turning(results: &Results, position: usize) -> Vec<Item> {
     /// Radius of the arc as part of the link, and where it begins beside the link and how far it goes, rad.
-    const RADIUS: f64 = 0.45;
+    const RADIUS: f64 = 0.4;
     const FROM: f64 = 0.35;
     const ALONG: f64 = 1.2;
     let Some((pose, state)) = results.moving(position, 0.0) else { return Vec::new() };
@@ -55,7 +58,8 @@ fn turning(results: &Results, position: usize) -> Vec<Item> {
         let (link, body) = (driver.link, &pose.bodies[driver.link]);
         let speed = body.w1 * state.speed;
         let center = mechanism.points[pin].on(GROUND)?;
-        let arms = mechanism.points.iter().filter_map(|point| Some(minus(body.point(point.on(link)?), center)));
+        let arms =
+            mechanism.points.iter().filter_map(|point| Some(minus(body.point(point.on(link)?), center)));
         let arm = arms.max_by(|one, other| length(*one).total_cmp(&length(*other)))?;
         let is_seen = !driver.is_relative() && speed != 0.0 && length(arm) > 0.0;
         let from = arm[1].atan2(arm[0]) + FROM * speed.signum();

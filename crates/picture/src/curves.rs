@@ -91,7 +91,9 @@ pub fn of_last(results: &Results, look: &Look<'_>) -> Figure {
             (Quantity::Transfer(_), _) => text!("curve-displacement"),
             _ => catalogue::kind(series.column),
         };
-        list(std::iter::once(joined(" ", [kind, symbol_of_last(results, series.column)])).chain(owner.clone()))
+        list(
+            std::iter::once(joined(" ", [kind, symbol_of_last(results, series.column)])).chain(owner.clone()),
+        )
     };
     let panel = |(series, ink): (&Series, Ink)| {
         over_positions(

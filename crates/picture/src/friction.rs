@@ -1,11 +1,11 @@
 //! The reaction of a pair with dry friction as the textbooks draw it.
 
 use assur_analysis::results::{Column, Owner, Part, Quantity, Schema};
+use assur_book::catalogue;
 use assur_diagram::{friction_circle, friction_cone};
 use assur_figure::number::digits;
 use assur_figure::{Bounds, Ink, Item, Panel, Point, Scale, Sign, Stroke};
 use assur_group::Order;
-use assur_book::catalogue;
 use assur_mechanism::{Friction, LinkId, PairId, Surfaces};
 use assur_words::{Text, joined, name, quantity, text};
 

@@ -86,13 +86,15 @@ fn within(results: &Results, position: usize, links: &[LinkId]) -> Vec<Acting> {
 fn inner_moments(results: &Results, position: usize, links: &[LinkId]) -> Vec<Acting> {
     let Some((pose, state)) = results.moving(position, 0.0) else { return Vec::new() };
     let found = results.found.as_deref().and_then(|found| found.plans.calculation().reactions(&state, &pose));
-    let slides = &results.linkage.mechanism.slides;
+    let (slides, scale) = (&results.linkage.mechanism.slides, results.linkage.structure.scale);
     let moment = |own: JointForce| {
         let PairId::Slide(id) = own.joint.id else { return None };
         let is_inner = [slides[id].link, slides[id].on].iter().all(|link| links.contains(link));
         let symbol = name("M").below(Text::from(&own.joint.name));
-        let told = text!("assembly-inner-reaction");
-        own.moment.filter(|_| is_inner).map(|size| Acting { symbol, told, size, unit: "N m" })
+        let told = text!("assembly-inner-moment");
+        let moment =
+            own.moment.filter(|size| is_inner && size.abs() > SAME * scale * length([[0.0; 2], own.force]));
+        moment.map(|size| Acting { symbol, told, size, unit: "N m" })
     };
     found.into_iter().flat_map(|found| found.reactions).filter_map(moment).collect()
 }
