@@ -112,7 +112,7 @@ pub fn lever(results: &Results, look: &Look<'_>) -> Figure {
     let small = small_on_lever(&plans, step);
     let is_small = |item: &Item| match item {
         Item::Name { text, .. } => small.iter().any(|(own, _)| own == text),
-        Item::Line { points, .. } => small.iter().any(|(_, ends)| points == ends),
+        Item::Line { .. } | Item::Arrow { .. } => small.iter().any(|(_, ends)| item.points() == ends),
         _ => false,
     };
     for panel in &mut drawn.panels {
