@@ -17,7 +17,7 @@ const FAR: f64 = 1.5;
 /// A vector shorter than this part of a construction is not named in it.
 const SHORT: f64 = 0.02;
 /// A vector shorter than this part of a drawing on paper is a speck in it.
-pub(crate) const SMALL: f64 = 0.03;
+pub(crate) const SMALL: f64 = 0.04;
 /// A component of a plan longer than this part of it is named even where its name covers something.
 const NAMED: f64 = 0.05;
 /// Space around a construction, as part of its size.
@@ -132,7 +132,7 @@ fn small_on_lever(plans: &Plans, step: usize) -> Vec<(Text, [Point; 2])> {
         let is_force = step.unit == "N" && !matches!(step.kind, VectorKind::Line | VectorKind::Point);
         // What is zero has no arrow at any scale.
         let is_zero = length([[0.0; 2], step.vector]) == 0.0;
-        *number < last && is_force && !is_zero && length(*ends) < SMALL * size
+        *number <= last && is_force && !is_zero && length(*ends) < SMALL * size
     });
     small.map(|(number, ends)| (drawn.steps[number].name.clone(), ends)).collect()
 }
