@@ -22,11 +22,13 @@ pub(crate) struct Source<'a> {
     pub(crate) plans: Vec<usize>,
 }
 
-/// Least widths, mm, and weights: of the mechanism, of plots, of a plan, of one of accelerations with its components, of a lever, of a
+/// Least widths, mm, and weights: of the mechanism, of plots, of a plan, of links with what acts on them, of a plan of
+/// accelerations with its components, of a lever, of a
 /// panel of the structure.
 const MECHANISM: (f64, f64) = (150.0, 4.0);
 const PLOTS: (f64, f64) = (100.0, 2.5);
 const PLAN: (f64, f64) = (75.0, 1.0);
+const LOADED: (f64, f64) = (90.0, 1.2);
 const ACCELERATIONS: (f64, f64) = (95.0, 1.5);
 const LEVER: (f64, f64) = (100.0, 1.5);
 const STRUCTURE: (f64, f64) = (110.0, 1.2);
@@ -132,11 +134,12 @@ impl Source<'_> {
                 }
                 let loaded = assembly::loaded(self.results, position, links);
                 let [of, place] = [named(links), self.place(position)];
-                all.push(titled_first(loaded, text!("sheet-loaded", of = &of, place = &place)));
-                all.push(titled_first(drawn, text!("sheet-polygon", of, place)));
+                let loaded = titled_first(loaded, text!("sheet-loaded", of = &of, place = &place));
+                let drawn = titled_first(drawn, text!("sheet-polygon", of, place));
+                all.extend(Self::figures(SheetField::Forces, LOADED, [loaded]));
+                all.extend(Self::figures(SheetField::Forces, PLAN, [drawn]));
             }
         }
-        let all = Self::figures(SheetField::Forces, PLAN, all);
         let table = self.table_of_forces(&bodies).filter(|_| !all.is_empty());
         table.into_iter().chain(all).collect()
     }

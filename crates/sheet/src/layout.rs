@@ -24,7 +24,7 @@ pub(crate) struct Block {
 struct Way {
     /// In rows from the top, else in columns from the left.
     in_rows: bool,
-    /// For the largest block first, else in the order of the blocks.
+    /// For the largest block first, after the first one, else in the order of the blocks.
     largest_first: bool,
 }
 
@@ -51,12 +51,18 @@ pub(crate) fn arrange(blocks: &[Block], frame: Area, title: Area) -> Option<Vec<
     WAYS.into_iter().find_map(|ways| grown(ways).max_by(|one, other| covered(one).total_cmp(&covered(other))))
 }
 
-/// How many of the first blocks have room on one sheet in their least sizes.
+/// Whether all blocks have room on one sheet in their least sizes, in their order or not.
+pub(crate) fn fits(blocks: &[Block], frame: Area, title: Area) -> bool {
+    let levels = vec![0; blocks.len()];
+    WAYS.into_iter().flatten().any(|way| places(blocks, &levels, frame, title, way).is_some())
+}
+
+/// How many of the first blocks have room on one sheet in their least sizes and their order.
 pub(crate) fn fitting(blocks: &[Block], frame: Area, title: Area) -> usize {
     let fits = |count: &usize| {
         let levels = vec![0; *count];
         let placed = |way| places(&blocks[..*count], &levels, frame, title, way).is_some();
-        WAYS.into_iter().flatten().any(placed)
+        WAYS[0].into_iter().any(placed)
     };
     (1..=blocks.len()).take_while(fits).last().unwrap_or(0)
 }
@@ -103,7 +109,7 @@ fn places(blocks: &[Block], levels: &[usize], frame: Area, title: Area, way: Way
     let mut order: Vec<usize> = (0..blocks.len()).collect();
     if way.largest_first {
         let area = |at: usize| -> f64 { blocks[at].sizes[levels[at]].iter().product() };
-        order.sort_by(|one, other| area(*other).total_cmp(&area(*one)));
+        order[1..].sort_by(|one, other| area(*other).total_cmp(&area(*one)));
     }
     for at in order {
         let level = levels[at];

@@ -142,15 +142,21 @@ pub fn sheet(results: &Results, note: &Note, language: &Language) -> Result<Vec<
     };
     let blocks: Vec<Block> = drawn.iter().zip(&sizes).map(block).collect();
     let standard = Standard::of(language);
-    let fits = |format: &SheetFormat| {
-        let frame = standard.frame(format::size(*format));
-        layout::fitting(&blocks, frame, standard.title(frame)) == blocks.len()
+    let areas = |format| {
+        let frame = standard.frame(format::size(format));
+        [frame, standard.title(frame)]
     };
-    // What no usual format holds goes on several sheets of the greatest of them.
-    let format = note.sheet.format.or_else(|| USUAL.into_iter().find(fits)).unwrap_or(SheetFormat::A1);
-    let frame = standard.frame(format::size(format));
-    let areas = [frame, standard.title(frame)];
-    let sheets = divided(&blocks, areas)?;
+    let holds = |format: &SheetFormat| {
+        let [frame, title] = areas(*format);
+        layout::fits(&blocks, frame, title)
+    };
+    // What no smaller format holds goes on sheets of the greatest usual one, where all fields keep their order.
+    let small = USUAL.into_iter().filter(|format| *format != SheetFormat::A1).find(holds);
+    let format = note.sheet.format.or(small).unwrap_or(SheetFormat::A1);
+    let areas = areas(format);
+    let [frame, block] = areas;
+    let alone = small.filter(|small| *small == format).and_then(|_| layout::arrange(&blocks, frame, block));
+    let sheets = alone.map_or_else(|| divided(&blocks, areas), |placed| Ok(vec![(0, placed)]))?;
     let count = sheets.len();
     let title = Text::from(&results.linkage.mechanism.title).render(language);
     let title = title.as_str();
