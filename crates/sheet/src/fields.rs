@@ -23,8 +23,7 @@ pub(crate) struct Source<'a> {
 }
 
 /// Least widths, mm, and weights: of the mechanism, of plots, of a plan, of links with what acts on them, of a plan of
-/// accelerations with its components, of a lever, of a
-/// panel of the structure.
+/// accelerations with its components, of a lever, of a panel of the structure.
 const MECHANISM: (f64, f64) = (150.0, 4.0);
 const PLOTS: (f64, f64) = (100.0, 2.5);
 const PLAN: (f64, f64) = (75.0, 1.0);
