@@ -14,8 +14,8 @@ use assur_mechanism::{GROUND, LinkId, PairId};
 use assur_words::{Text, measured, name, text};
 
 use crate::acting::Acting;
-use crate::friction::{Rubbing, rubbing};
 use crate::plans::SMALL;
+use crate::rubbing::{Rubbing, rubbing};
 use crate::{Arrows, Look, Picture, Results, ViewPart, plots};
 
 /// Longest vector, as part of the size of the drawing.

@@ -1,75 +1,20 @@
 //! The reaction of a pair with dry friction as the textbooks draw it.
 
-use assur_analysis::results::{Column, Owner, Part, Quantity, Schema};
-use assur_book::catalogue;
+use assur_analysis::results::{Column, Owner, Part, Quantity};
 use assur_diagram::{friction_circle, friction_cone};
 use assur_figure::number::digits;
 use assur_figure::{Bounds, Ink, Item, Panel, Point, Scale, Sign, Stroke};
 use assur_group::Order;
-use assur_mechanism::{Friction, LinkId, PairId, Surfaces};
-use assur_words::{Text, joined, name, quantity, text};
+use assur_mechanism::{PairId, Surfaces};
+use assur_words::{Text, name, quantity, text};
 
-use crate::{Found, Reaction, Results};
+use crate::{Found, Reaction};
 
 /// Length of the force beside a circle, and half the side of the drawing, in radii of the circle.
 const FORCE: f64 = 2.5;
 const ROOM: f64 = 3.0;
 /// Half the length of a guide that is drawn, in lengths of the force.
 const GUIDE: f64 = 0.5;
-
-/// The dry friction of a pair on one of its links.
-#[derive(Debug, Clone)]
-pub(crate) struct Rubbing {
-    /// The pair, and the link on which it acts, then the other one.
-    pub(crate) pair: PairId,
-    pub(crate) links: [LinkId; 2],
-    /// `M_f,A` of a pin, `F_f,A` of a slide.
-    pub(crate) symbol: Text,
-    /// What it is.
-    pub(crate) told: Text,
-    /// Of a pin the moment on the link, N m, counter-clockwise; of a slide the force along the guide on the sliding link, N.
-    pub(crate) size: f64,
-}
-
-/// The dry friction in the pairs of some links in a position, of each pair on the first of these links; empty where it is not determined.
-pub(crate) fn rubbing(results: &Results, position: usize, links: &[LinkId]) -> Vec<Rubbing> {
-    let Some(found) = results.found.as_deref() else { return Vec::new() };
-    let (table, _) = found.rows();
-    let Some(row) = table.row_of(position) else { return Vec::new() };
-    let mechanism = &found.linkage.mechanism;
-    let schema = Schema::new(mechanism);
-    let of_bearing = |friction: &Friction, [link, on]: [LinkId; 2], several: bool| {
-        let pair = friction.pair;
-        let (letter, quantity) = match pair {
-            PairId::Pin(_) => ("M", Quantity::FrictionMoment),
-            PairId::Slide(_) => ("F", Quantity::FrictionForce),
-        };
-        let owner = if several { Owner::PairOn(pair, link) } else { Owner::Pair(pair) };
-        let value = table.get(row, Column::of(quantity, owner)).filter(|value| value.is_finite())?;
-        // On the journal itself it has the other sign; of a slide the force is told on the sliding link.
-        let is_own = links.contains(&link) || matches!(pair, PairId::Slide(_));
-        let (links, size) = if is_own { ([link, on], value) } else { ([on, link], -value) };
-        let of = catalogue::owner(&schema, Column::of(Quantity::Force, Owner::PairOn(pair, links[0])));
-        let named = match pair {
-            PairId::Pin(id) => Text::from(&mechanism.points[id].name),
-            PairId::Slide(id) => Text::from(&mechanism.slides[id].name),
-        };
-        let further = several.then(|| name(link.to_string()));
-        let index = joined(",", [text!("index-of-friction"), named].into_iter().chain(further));
-        let told = match pair {
-            PairId::Pin(_) => text!("acting-friction", of),
-            PairId::Slide(_) => text!("acting-friction-of-slide", of),
-        };
-        Some(Rubbing { pair, links, symbol: name(letter).below(index), told, size })
-    };
-    let of_pair = |friction: &Friction| {
-        let bearings = mechanism.friction_links(friction);
-        let several = bearings.len() > 1;
-        let own = bearings.into_iter().filter(|pair| pair.iter().any(|link| links.contains(link)));
-        own.filter_map(|pair| of_bearing(friction, pair, several)).collect::<Vec<_>>()
-    };
-    mechanism.frictions.iter().flat_map(of_pair).collect()
-}
 
 /// The reaction of a pair with friction in a position, as the textbooks draw it; `None` without friction or force.
 pub fn beside_friction(found: &Found, position: usize, reaction: &Reaction) -> Option<Panel> {

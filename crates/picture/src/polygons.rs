@@ -6,8 +6,8 @@ use assur_force::VectorKind;
 use assur_mechanism::{LinkId, PairId};
 use assur_words::{Text, joined, name, text};
 
-use crate::friction::{Rubbing, rubbing};
 use crate::plans::{Shown, labelled, length, panel_of, shown};
+use crate::rubbing::{Rubbing, rubbing};
 use crate::{Look, Results, ViewPart, arrows};
 
 /// Two vectors that differ by no more than this part are one.
