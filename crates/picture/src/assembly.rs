@@ -156,7 +156,7 @@ pub fn loaded(results: &Results, position: usize, links: &[LinkId]) -> Figure {
     let bounds = Bounds::around(items.iter().flat_map(Item::points));
     let mut panel = Panel::plane(bounds, Scale::of("l", "m"), items);
     shown.fit(&mut panel);
-    Figure { legend: too_small(small), ..Figure::of(panel) }
+    Figure { legend: too_small(&small), ..Figure::of(panel) }
 }
 
 /// The positions in which the output, the first slide or link of the ground that goes to and fro, turns back.

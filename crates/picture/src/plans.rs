@@ -119,7 +119,7 @@ pub fn lever(results: &Results, look: &Look<'_>) -> Figure {
         panel.items.retain(|item| !matches!(item, Item::Name { text, .. } if is_zero(text)));
         panel.items.retain(|item| !is_small(item));
     }
-    Figure { legend: too_small(small.into_iter().map(|(own, _)| own).collect()), ..drawn }
+    Figure { legend: too_small(&small.into_iter().map(|(own, _)| own).collect::<Vec<_>>()), ..drawn }
 }
 
 /// The forces that are specks in the drawing of the lever up to a step, each with its ends.
@@ -138,7 +138,7 @@ fn small_on_lever(plans: &Plans, step: usize) -> Vec<(Text, [Point; 2])> {
 }
 
 /// Says which vectors are left out of a drawing, because they would be specks in it; nothing where there are none.
-pub(crate) fn too_small(names: Vec<Text>) -> Vec<Key> {
+pub(crate) fn too_small(names: &[Text]) -> Vec<Key> {
     /// Names in the first row of the legend, beside the words, and in the further ones.
     const IN_A_ROW: [usize; 2] = [5, 10];
     if names.is_empty() {
