@@ -20,6 +20,8 @@ const BEYOND: f64 = 0.08;
 const MOST_NAMES: usize = 40;
 /// Straight pieces of an arc.
 const ARC: usize = 48;
+/// Half the length of a guide whose ground is taken away, as part of the size of the mechanism.
+const GUIDE: f64 = 0.12;
 /// Least excess of a guide, as part of the size of the mechanism.
 const LEAST_BEYOND: f64 = 0.02;
 
@@ -167,12 +169,18 @@ impl Drawing<'_> {
         items
     }
 
+    /// The sliders; of one whose guide belongs to a ground that is taken away, the direction of the guide as a fine line too.
     fn blocks(&self, bodies: &[Body<f64>]) -> impl Iterator<Item = Item> {
         let slides = self.linkage.mechanism.slides.iter();
-        slides.filter(|slide| self.shows(slide.link) && self.shows(slide.on)).map(|slide| {
+        let is_shown =
+            |slide: &&Slide| self.shows(slide.link) && (slide.on == GROUND || self.shows(slide.on));
+        slides.filter(is_shown).flat_map(|slide| {
             let (s, c) = slide.angle.sin_cos();
             let (at, along) = (bodies[slide.link].point(slide.point), bodies[slide.on].turned([c, s]));
-            Item::Sign { at, along, sign: Sign::Block, ink: self.ink(slide.link) }
+            let half = GUIDE * self.linkage.structure.scale;
+            let ends = [-half, half].map(|far| [at[0] + far * along[0], at[1] + far * along[1]]);
+            let guide = (!self.shows(slide.on)).then(|| Item::line(ends, Stroke::Dashed, Ink::Ground));
+            guide.into_iter().chain([Item::Sign { at, along, sign: Sign::Block, ink: self.ink(slide.link) }])
         })
     }
 

@@ -352,4 +352,6 @@ pub enum Sample {
     Sign(Sign, Ink),
     /// A stroke.
     Line(Stroke, Ink),
+    /// Nothing that is drawn: the entry is a remark.
+    None,
 }

@@ -116,9 +116,14 @@ impl<'a> Acting<'a> {
         let drives = mechanism.input.placed().any(|link| self.concerns(link));
         // A drive keeps up the motion in the place of a balancing load.
         let is_wanted = drives && (all_wanted || wanted == Arrows::Reactions);
-        if let Some([drive, _]) = found.drive_in(self.state).filter(|_| is_wanted) {
+        if let Some([drive, inertia]) = found.drive_in(self.state).filter(|_| is_wanted) {
             let told = catalogue::kind(Column::of(Quantity::ReducedLoad, Owner::Input));
             self.on_input(None, drive, &text!("index-of-drive"), &told);
+            // No link has the inertia of flywheel and rotor; with their load the moments on the input link balance.
+            if inertia > 0.0 {
+                let load = -inertia * self.state.acceleration;
+                self.on_input(None, load, &text!("index-of-flywheel"), &text!("acting-flywheel"));
+            }
         }
     }
 

@@ -10,10 +10,12 @@ use assur_figure::{Bounds, Frame, Ink, Item, Key, Panel, Point, Sample, Scale, S
 use assur_force::LoadState;
 use assur_group::plane::{length, minus, plus, scaled};
 use assur_kinematics::Position;
-use assur_mechanism::{GROUND, LinkId};
+use assur_mechanism::{GROUND, LinkId, PairId};
 use assur_words::{Text, measured, name, text};
 
 use crate::acting::Acting;
+use crate::plans::SMALL;
+use crate::rubbing::{Rubbing, rubbing};
 use crate::{Arrows, Look, Picture, Results, ViewPart, plots};
 
 /// Longest vector, as part of the size of the drawing.
@@ -85,7 +87,8 @@ impl Shown {
     /// Some links with what acts on them from outside of them, in a position; `None` where it can't be assembled.
     pub(crate) fn on_links(results: &Results, position: usize, links: &[LinkId]) -> Option<Self> {
         let (pose, state) = results.moving(position, 0.0)?;
-        let own = Acting::on(results, links, &pose, &state);
+        let mut own = Acting::on(results, links, &pose, &state);
+        own.extend(of_friction(results, position, links, &pose));
         Some(Self::scaled(results, pose, own, &[]))
     }
 
@@ -126,8 +129,29 @@ impl Shown {
 
     /// The vectors with their names.
     pub(crate) fn items(&self) -> Vec<Item> {
+        self.items_longer(0.0)
+    }
+
+    /// The vectors with their names in a drawing of this size, m, but for those that would be specks in it; and the names of these.
+    pub(crate) fn items_apart(&self, drawn: f64) -> (Vec<Item>, Vec<Text>) {
+        let [width, height] = self.bounds.size();
+        let least = SMALL * drawn.max(width).max(height);
+        let is_small = |arrow: &&Arrow| {
+            let long = length(minus(tip(&self.scales, arrow), arrow.at));
+            arrow.kind != Kind::Moment && length(arrow.vector) > 0.0 && long < least
+        };
+        let small = self.arrows.iter().filter(is_small).map(|arrow| arrow.name.clone());
+        (self.items_longer(least), small.collect())
+    }
+
+    /// The moments, the marks of places, and the vectors that are at least so long in the drawing, m, with their names.
+    fn items_longer(&self, least: f64) -> Vec<Item> {
         let mut items = Vec::new();
-        for (index, arrow) in self.arrows.iter().enumerate() {
+        let is_seen = |arrow: &Arrow| {
+            let long = length(minus(tip(&self.scales, arrow), arrow.at));
+            arrow.kind == Kind::Moment || length(arrow.vector) == 0.0 || long >= least
+        };
+        for (index, arrow) in self.arrows.iter().enumerate().filter(|(_, arrow)| is_seen(arrow)) {
             let Arrow { at, kind, vector, name, style: (stroke, ink), .. } = arrow;
             let end = if *kind == Kind::Moment {
                 // An arc goes around those that it would cross.
@@ -179,6 +203,25 @@ impl Shown {
         bounds.add(self.bounds.high);
         scales.extend(self.scales.iter().flatten().map(|(scale, _)| scale.clone()));
     }
+}
+
+/// The moments of the dry friction that other bodies exert on some links in their pins.
+fn of_friction(results: &Results, position: usize, links: &[LinkId], pose: &Position) -> Vec<Arrow> {
+    let arrow = |own: Rubbing| {
+        let PairId::Pin(point) = own.pair else { return None };
+        let [link, other] = own.links;
+        let is_outer = links.contains(&link) && !links.contains(&other);
+        is_outer.then(|| Arrow {
+            at: results.linkage.point_motion(point, pose).pf0,
+            kind: Kind::Moment,
+            vector: [own.size, 0.0],
+            name: own.symbol,
+            told: own.told,
+            style: (Stroke::Solid, Ink::First),
+            of_pair: false,
+        })
+    };
+    rubbing(results, position, links).into_iter().filter_map(arrow).collect()
 }
 
 /// Where a vector ends in the drawing; a moment has no end.

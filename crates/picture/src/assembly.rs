@@ -8,11 +8,12 @@ use assur_geometry::overview;
 use assur_group::Order;
 use assur_group::plane::{length, minus};
 use assur_kinematics::Position;
-use assur_mechanism::{GROUND, LinkId};
+use assur_mechanism::{Driver, GROUND, InputPair, LinkId};
 use assur_words::{Text, joined, name, text};
 
 use crate::arrows::Shown;
-use crate::{Results, mechanism};
+use crate::plans::{largest, too_small};
+use crate::{Results, mechanism, plots};
 
 /// Groups in one figure.
 const MOST: usize = 6;
@@ -26,7 +27,12 @@ pub fn groups(results: &Results, position: usize) -> Figure {
     let mut panels = Vec::new();
     if !inputs.is_empty() {
         let formula = name(format!("I({GROUND},{})", numbers(&inputs)));
-        panels.push(apart(results, &pose, &inputs, true, text!("assembly-input-link", formula)));
+        let mut panel = apart(results, &pose, &inputs, true, text!("assembly-input-link", formula));
+        panel.items.extend(turning(results, position));
+        if let Frame::Plane { bounds, .. } = &mut panel.frame {
+            *bounds = Bounds::around(panel.items.iter().flat_map(Item::points));
+        }
+        panels.push(panel);
     }
     let groups = linkage.structure.groups.iter().filter(|group| !group.frame.links.is_empty());
     for group in groups.take(MOST - panels.len()) {
@@ -37,6 +43,32 @@ pub fn groups(results: &Results, position: usize) -> Figure {
     let count = panels.len();
     let columns = if count <= 3 { count } else { count.div_ceil(2) };
     Figure { panels, columns, ..Figure::default() }
+}
+
+/// An arrow around the pin of each input link that turns about the ground, in the sense of its speed in a position; none at rest.
+fn turning(results: &Results, position: usize) -> Vec<Item> {
+    /// Radius of the arc as part of the link, and where it begins beside the link and how far it goes, rad.
+    const RADIUS: f64 = 0.4;
+    const FROM: f64 = 0.35;
+    const ALONG: f64 = 1.2;
+    let Some((pose, state)) = results.moving(position, 0.0) else { return Vec::new() };
+    let mechanism = &results.linkage.mechanism;
+    let arc = |driver: &Driver| {
+        let InputPair::Pin(pin) = driver.pair else { return None };
+        let (link, body) = (driver.link, &pose.bodies[driver.link]);
+        let speed = body.w1 * state.speed;
+        let center = mechanism.points[pin].on(GROUND)?;
+        let arms =
+            mechanism.points.iter().filter_map(|point| Some(minus(body.point(point.on(link)?), center)));
+        let arm = arms.max_by(|one, other| length(*one).total_cmp(&length(*other)))?;
+        let is_seen = !driver.is_relative() && speed != 0.0 && length(arm) > 0.0;
+        let from = arm[1].atan2(arm[0]) + FROM * speed.signum();
+        let (arc, middle) =
+            plots::arc(center, RADIUS * length(arm), [from, ALONG * speed.signum()], Ink::Velocity);
+        let symbol = Item::name(middle, name("ω").below(name(link.to_string())), Ink::Velocity);
+        is_seen.then(|| arc.into_iter().chain([symbol]))
+    };
+    mechanism.input.drivers.iter().filter_map(arc).flatten().collect()
 }
 
 /// Some links apart from the rest of the mechanism, or with what the ground holds of them.
@@ -102,6 +134,7 @@ pub fn positions(results: &Results, others: &[usize], chosen: usize) -> Figure {
         }
     }
     items.extend(drawing.items(&pose));
+    items.extend(turning(results, chosen));
     items.extend(numbers);
     let legend = mechanism::links(&drawing).collect();
     Figure { legend, ..Figure::of(mechanism::plane(results, items)) }
@@ -115,7 +148,7 @@ pub fn loaded(results: &Results, position: usize, links: &[LinkId]) -> Figure {
     let drawing = Drawing { hidden: &others, ..mechanism::drawing(results, &[]) };
     let mut items = drawing.items(&shown.pose);
     items.retain(|item| !matches!(item, Item::Ground { .. }));
-    let vectors = shown.items();
+    let (vectors, small) = shown.items_apart(largest(items.iter().flat_map(Item::points)));
     if vectors.is_empty() {
         return Figure::default();
     }
@@ -123,7 +156,7 @@ pub fn loaded(results: &Results, position: usize, links: &[LinkId]) -> Figure {
     let bounds = Bounds::around(items.iter().flat_map(Item::points));
     let mut panel = Panel::plane(bounds, Scale::of("l", "m"), items);
     shown.fit(&mut panel);
-    Figure::of(panel)
+    Figure { legend: too_small(&small), ..Figure::of(panel) }
 }
 
 /// The positions in which the output, the first slide or link of the ground that goes to and fro, turns back.

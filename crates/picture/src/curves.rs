@@ -2,10 +2,11 @@
 
 use std::collections::BTreeSet;
 
-use assur_analysis::results::{Column, Owner, Quantity};
+use assur_analysis::results::{Column, Owner, Quantity, Schema};
 use assur_book::{Unit, catalogue};
 use assur_figure::number::number;
 use assur_figure::{Figure, Frame, Ink, Item, Key, Panel, Point, Sample, Sign, Stroke};
+use assur_mechanism::GROUND;
 use assur_words::{Text, joined, list, name, quantity, text};
 
 use crate::plots::{self, STYLES, Style, over_positions};
@@ -76,6 +77,7 @@ pub fn of_last(results: &Results, look: &Look<'_>) -> Figure {
     let transfer = results.transfers.len().saturating_sub(1);
     let Some(last) = results.transfers.get(transfer) else { return Figure::default() };
     let look = &Look { transfer, ..*look };
+    let owner = Schema::new(&results.linkage.mechanism).named(last.owner).map(Text::from);
     let rates = [Quantity::Velocity, Quantity::Acceleration].map(|quantity| {
         let found = results.found.as_deref()?;
         found.series.iter().find(|series| series.column == Column::of(quantity, last.owner))
@@ -83,10 +85,15 @@ pub fn of_last(results: &Results, look: &Look<'_>) -> Figure {
     let [Some(velocity), Some(acceleration)] = rates else { return figure(results, look) };
     let place = in_radians(&results.series[last.orders[0]]);
     let all = [&place, velocity, acceleration].into_iter().zip([Ink::First, Ink::Second, Ink::Third]);
-    let heading = |series: &Series| match (series.column.quantity, series.column.owner) {
-        (Quantity::Transfer(_), Owner::Link(_)) => text!("curve-angle"),
-        (Quantity::Transfer(_), _) => text!("curve-displacement"),
-        _ => catalogue::kind(series.column),
+    let heading = |series: &Series| {
+        let kind = match (series.column.quantity, series.column.owner) {
+            (Quantity::Transfer(_), Owner::Link(_)) => text!("curve-angle"),
+            (Quantity::Transfer(_), _) => text!("curve-displacement"),
+            _ => catalogue::kind(series.column),
+        };
+        list(
+            std::iter::once(joined(" ", [kind, symbol_of_last(results, series.column)])).chain(owner.clone()),
+        )
     };
     let panel = |(series, ink): (&Series, Ink)| {
         over_positions(
@@ -97,6 +104,25 @@ pub fn of_last(results: &Results, look: &Look<'_>) -> Figure {
         )
     };
     Figure { title: last.name.clone(), panels: all.map(panel).collect(), columns: 1, legend: Vec::new() }
+}
+
+/// The symbol of a place, a velocity or an acceleration with what it is of: `s_5`, `ω_3`.
+fn symbol_of_last(results: &Results, column: Column) -> Text {
+    let letters = if matches!(column.owner, Owner::Link(_)) { ["φ", "ω", "ε"] } else { ["s", "v", "a"] };
+    let letter = match column.quantity {
+        Quantity::Velocity => letters[1],
+        Quantity::Acceleration => letters[2],
+        _ => letters[0],
+    };
+    let mechanism = &results.linkage.mechanism;
+    let index = match column.owner {
+        Owner::Link(link) => name(link.to_string()),
+        Owner::Slide(id) if mechanism.slides[id].on == GROUND => name(mechanism.slides[id].link.to_string()),
+        Owner::Slide(id) => name(format!("{}/{}", mechanism.slides[id].link, mechanism.slides[id].on)),
+        Owner::Point(id) => Text::from(&mechanism.points[id].name),
+        _ => return name(letter),
+    };
+    name(letter).below(index)
 }
 
 fn stroke_of(compared: &Compared) -> Stroke {

@@ -38,6 +38,7 @@ mod probe;
 mod reduction;
 pub mod regime;
 mod results;
+mod rubbing;
 mod series;
 mod view;
 

@@ -1,10 +1,12 @@
 //! Plans of a position: force polygon of a group, velocities, accelerations, the constructions step by step.
 
 use assur_diagram::{PlanVector, VectorPlan, construction_picture};
-use assur_figure::{Bounds, Figure, Frame, Ink, Item, Key, Panel, Scale, Sign, Stroke, one_scale};
+use assur_figure::{
+    Bounds, Figure, Frame, Ink, Item, Key, Panel, Point, Sample, Scale, Sign, Stroke, one_scale,
+};
 use assur_force::{Construction, ConstructionStep, Drawing, VectorKind};
 use assur_group::plane::cross;
-use assur_words::{Describe, Text, joined, measured, name, number, text};
+use assur_words::{Describe, Text, joined, list, measured, name, number, text};
 
 use crate::{Found, Look, Plans, Results, ViewPart, mechanism, plots};
 
@@ -14,6 +16,10 @@ const LEAST: f64 = 1e-12;
 const FAR: f64 = 1.5;
 /// A vector shorter than this part of a construction is not named in it.
 const SHORT: f64 = 0.02;
+/// A vector shorter than this part of a drawing on paper is a speck in it.
+pub(crate) const SMALL: f64 = 0.04;
+/// A component of a plan longer than this part of it is named even where its name covers something.
+const NAMED: f64 = 0.05;
 /// Space around a construction, as part of its size.
 const AROUND: f64 = 0.06;
 /// Subscripts of the poles of the plans of velocities and of accelerations: a point P has the image p.
@@ -103,10 +109,48 @@ pub fn lever(results: &Results, look: &Look<'_>) -> Figure {
         let mut own = steps.iter().filter(|step| step.name == *text).peekable();
         own.peek().is_some() && own.all(|step| step.unit == "N" && length([[0.0; 2], step.vector]) == 0.0)
     };
+    let small = small_on_lever(&plans, step);
+    let is_small = |item: &Item| match item {
+        Item::Name { text, .. } => small.iter().any(|(own, _)| own == text),
+        Item::Line { .. } | Item::Arrow { .. } => small.iter().any(|(_, ends)| item.points() == ends),
+        _ => false,
+    };
     for panel in &mut drawn.panels {
         panel.items.retain(|item| !matches!(item, Item::Name { text, .. } if is_zero(text)));
+        panel.items.retain(|item| !is_small(item));
     }
-    Figure { legend: Vec::new(), ..drawn }
+    Figure { legend: too_small(&small.into_iter().map(|(own, _)| own).collect::<Vec<_>>()), ..drawn }
+}
+
+/// The forces that are specks in the drawing of the lever up to a step, each with its ends.
+fn small_on_lever(plans: &Plans, step: usize) -> Vec<(Text, [Point; 2])> {
+    let Some((drawn, last)) = chosen_step(plans, step) else { return Vec::new() };
+    let (all, _) = construction_picture(drawn, true);
+    let size = largest(all.iter().flat_map(|(_, ends)| *ends));
+    let small = all.into_iter().filter(|(number, ends)| {
+        let step = &drawn.steps[*number];
+        let is_force = step.unit == "N" && !matches!(step.kind, VectorKind::Line | VectorKind::Point);
+        // What is zero has no arrow at any scale.
+        let is_zero = length([[0.0; 2], step.vector]) == 0.0;
+        *number <= last && is_force && !is_zero && length(*ends) < SMALL * size
+    });
+    small.map(|(number, ends)| (drawn.steps[number].name.clone(), ends)).collect()
+}
+
+/// Says which vectors are left out of a drawing, because they would be specks in it; nothing where there are none.
+pub(crate) fn too_small(names: &[Text]) -> Vec<Key> {
+    /// Names in the first row of the legend, beside the words, and in the further ones.
+    const IN_A_ROW: [usize; 2] = [5, 10];
+    if names.is_empty() {
+        return Vec::new();
+    }
+    let (first, further) = names.split_at(names.len().min(IN_A_ROW[0]));
+    let mut rows = vec![text!("plans-too-small", names = list(first.iter().cloned()))];
+    rows.extend(further.chunks(IN_A_ROW[1]).map(|row| list(row.iter().cloned())));
+    let last = rows.len() - 1;
+    let comma = |(row, text)| if row < last { joined("", [text, name(",")]) } else { text };
+    let rows = rows.into_iter().enumerate().map(comma);
+    rows.map(|text| Key { sample: Sample::None, text }).collect()
 }
 
 /// The number of the step that completes the first lever.
@@ -140,12 +184,16 @@ pub fn on_lever(results: &Results, position: usize) -> Vec<LeverForce> {
     let Some((construction, last)) = chosen else { return Vec::new() };
     let image = construction.steps.iter().find(|step| step.kind == VectorKind::Absolute);
     let unit = image.map_or("m", |step| step.unit);
+    // Drive and flywheel keep up the motion in the place of a balancing load.
+    let state = results.moving(position, 0.0);
+    let has_drive = state.is_some_and(|(_, state)| found.plans.calculation().drive_in(&state).is_some());
     let forces =
         construction.steps[..=last].iter().filter(|step| step.unit == "N" && step.drawing == Drawing::Lever);
     let force = |step: &ConstructionStep| {
         let size = length([[0.0; 2], step.vector]);
         let is_force = size > 0.0 && !matches!(step.kind, VectorKind::Line | VectorKind::Point);
-        let (is_balancing, of) = (step.kind == VectorKind::Balancing, step.of.clone());
+        let is_balancing = step.kind == VectorKind::Balancing;
+        let of = if is_balancing && has_drive { text!("lever-of-drive") } else { step.of.clone() };
         is_force.then(|| LeverForce {
             symbol: step.name.clone(),
             of,
@@ -192,27 +240,39 @@ pub(crate) fn panel_of_plan(part: ViewPart, plan: &VectorPlan) -> Panel {
 }
 
 pub(crate) fn panel_of(part: ViewPart, plan: &VectorPlan, shown: &[(Text, &PlanVector)]) -> Panel {
-    let vectors = shown.iter().map(|(label, item)| {
-        let ink = ink_of(part, item);
-        let name = if ink == Ink::Trace { Text::default() } else { label.clone() };
-        (plots::arrow([item.start, item.end], &name, ink), name)
-    });
+    let size = largest(shown.iter().flat_map(|(_, item)| [item.start, item.end]));
+    let is_longer = |item: &PlanVector, least: f64| length([item.start, item.end]) > least * size;
     let (symbol, pole) = match part {
         ViewPart::Velocities => ("v", Some(POLES[0])),
         ViewPart::Accelerations => ("a", Some(POLES[1])),
         _ => ("F", None),
     };
+    // Components lie beneath the vectors on which they end.
+    let mut ordered: Vec<_> = shown.iter().collect();
+    ordered.sort_by_key(|(_, item)| pole.is_none() || ink_of(part, item) != Ink::Trace);
+    let vectors = ordered.into_iter().map(|(label, item)| {
+        let (ends, ink) = ([item.start, item.end], ink_of(part, item));
+        let name = if ink == Ink::Trace { Text::default() } else { label.clone() };
+        let arrow = Item::Arrow { from: ends[0], to: ends[1], stroke: Stroke::Dotted, ink };
+        let is_component = pole.is_some() && ink == Ink::Trace && is_longer(item, SMALL);
+        (if is_component { arrow } else { plots::arrow(ends, &name, ink) }, name)
+    });
     let mut panel = plots::vectors(vectors.collect(), Scale::of(symbol, &plan.unit), pole);
-    // The relative components of a plan of velocities or accelerations are named where there is room.
+    // The components of a plan of velocities or accelerations are named where they are long, or have room.
     let components = shown.iter().map(|(_, item)| item);
     let components = components.filter(|item| pole.is_some() && ink_of(part, item) == Ink::Trace);
     panel.items.extend(components.map(|item| Item::Name {
         at: [0, 1].map(|axis| 0.5 * (item.start[axis] + item.end[axis])),
         text: item.symbol.clone(),
         ink: Ink::Dim,
-        needed: false,
+        needed: is_longer(item, NAMED),
     }));
     panel
+}
+
+/// The greater side of what these points need.
+pub(crate) fn largest(points: impl Iterator<Item = Point>) -> f64 {
+    Bounds::around(points).size().into_iter().fold(0.0, f64::max)
 }
 
 /// The label of a vector in the drawing and in the list: `R3`, or the point of an absolute velocity.

@@ -139,11 +139,16 @@ pub fn numbered(at: usize, told: Text) -> Text {
 
 /// A moment as three quarters of a circle in its sense, from an angle on, with its head however short the last piece is; and the middle of
 /// the arc, where its name stands.
-pub(crate) fn moment([x, y]: Point, radius: f64, from: f64, moment: f64, ink: Ink) -> ([Item; 2], Point) {
+pub(crate) fn moment(at: Point, radius: f64, from: f64, moment: f64, ink: Ink) -> ([Item; 2], Point) {
+    arc(at, radius, [from, moment.signum() * 1.5 * PI], ink)
+}
+
+/// An arc from an angle on and as far around a point, rad, with its head; and where its name stands.
+pub(crate) fn arc([x, y]: Point, radius: f64, [from, along]: [f64; 2], ink: Ink) -> ([Item; 2], Point) {
     /// Straight pieces of the arc.
     const PIECES: usize = 48;
     let arc: [Point; PIECES + 1] = std::array::from_fn(|piece| {
-        let (s, c) = (from + moment.signum() * 1.5 * PI * piece as f64 / PIECES as f64).sin_cos();
+        let (s, c) = (from + along * piece as f64 / PIECES as f64).sin_cos();
         [x + radius * c, y + radius * s]
     });
     let [before, at] = [arc[PIECES - 1], arc[PIECES]];

@@ -1,12 +1,13 @@
 //! Force polygons of groups and of the input links, with the symbols that forces have on the links, and what acts on the links as a list.
 
-use assur_diagram::{PlanVector, VectorPlan};
+use assur_diagram::{JointForce, PlanVector, VectorPlan};
 use assur_figure::Figure;
 use assur_force::VectorKind;
-use assur_mechanism::LinkId;
+use assur_mechanism::{LinkId, PairId};
 use assur_words::{Text, joined, name, text};
 
 use crate::plans::{Shown, labelled, length, panel_of, shown};
+use crate::rubbing::{Rubbing, rubbing};
 use crate::{Look, Results, ViewPart, arrows};
 
 /// Two vectors that differ by no more than this part are one.
@@ -61,7 +62,41 @@ pub fn acting(results: &Results, position: usize, polygon: usize, links: &[LinkI
         Acting { symbol, told: told(own), size: own.vector[0], unit: "N m" }
     };
     let forces = vectors(results, position, polygon, links).into_iter().map(force);
-    forces.chain(moments.map(moment)).collect()
+    forces.chain(moments.map(moment)).chain(within(results, position, links)).collect()
+}
+
+/// What acts in the pairs of some links beside the forces and moments from outside: the moments of the inner slides, the friction of
+/// the inner pins, and that of all slides, which is a part of their reactions.
+fn within(results: &Results, position: usize, links: &[LinkId]) -> Vec<Acting> {
+    let of_slides = inner_moments(results, position, links).into_iter();
+    let is_shown = |own: &Rubbing| match own.pair {
+        PairId::Pin(_) => own.links.iter().all(|link| links.contains(link)),
+        PairId::Slide(_) => links.contains(&own.links[0]),
+    };
+    let friction = rubbing(results, position, links).into_iter().filter(is_shown);
+    let friction = friction.map(|own| {
+        let is_moment = matches!(own.pair, PairId::Pin(_));
+        let size = if is_moment { own.size } else { own.size.abs() };
+        Acting { symbol: own.symbol, told: own.told, size, unit: if is_moment { "N m" } else { "N" } }
+    });
+    of_slides.chain(friction).collect()
+}
+
+/// The moments of the slides between some links.
+fn inner_moments(results: &Results, position: usize, links: &[LinkId]) -> Vec<Acting> {
+    let Some((pose, state)) = results.moving(position, 0.0) else { return Vec::new() };
+    let found = results.found.as_deref().and_then(|found| found.plans.calculation().reactions(&state, &pose));
+    let (slides, scale) = (&results.linkage.mechanism.slides, results.linkage.structure.scale);
+    let moment = |own: JointForce| {
+        let PairId::Slide(id) = own.joint.id else { return None };
+        let is_inner = [slides[id].link, slides[id].on].iter().all(|link| links.contains(link));
+        let symbol = name("M").below(Text::from(&own.joint.name));
+        let told = text!("assembly-inner-moment");
+        let moment =
+            own.moment.filter(|size| is_inner && size.abs() > SAME * scale * length([[0.0; 2], own.force]));
+        moment.map(|size| Acting { symbol, told, size, unit: "N m" })
+    };
+    found.into_iter().flat_map(|found| found.reactions).filter_map(moment).collect()
 }
 
 /// The links of each polygon: those of the groups from the last to the first, then the input links.

@@ -22,10 +22,13 @@ pub(crate) struct Source<'a> {
     pub(crate) plans: Vec<usize>,
 }
 
-/// Least widths, mm, and weights: of the mechanism, of plots, of a plan, of a panel of the structure.
-const MECHANISM: (f64, f64) = (140.0, 4.0);
+/// Least widths, mm, and weights: of the mechanism, of plots, of a plan, of links with what acts on them, of a plan of
+/// accelerations with its components, of a lever, of a panel of the structure.
+const MECHANISM: (f64, f64) = (150.0, 4.0);
 const PLOTS: (f64, f64) = (100.0, 2.5);
 const PLAN: (f64, f64) = (75.0, 1.0);
+const LOADED: (f64, f64) = (90.0, 1.2);
+const ACCELERATIONS: (f64, f64) = (95.0, 1.5);
 const LEVER: (f64, f64) = (100.0, 1.5);
 const STRUCTURE: (f64, f64) = (110.0, 1.2);
 
@@ -46,9 +49,11 @@ impl Source<'_> {
                 drawn
             }
             SheetField::Diagrams => Self::figures(field, PLOTS, [curves::of_last(results, &first)]),
-            SheetField::Velocities => self.of_positions(field, "sheet-velocities", ViewPart::Velocities),
+            SheetField::Velocities => {
+                self.of_positions(field, PLAN, ("sheet-velocities", ViewPart::Velocities))
+            }
             SheetField::Accelerations => {
-                self.of_positions(field, "sheet-accelerations", ViewPart::Accelerations)
+                self.of_positions(field, ACCELERATIONS, ("sheet-accelerations", ViewPart::Accelerations))
             }
             SheetField::Forces => self.forces(),
             SheetField::Lever => self.lever(),
@@ -96,13 +101,18 @@ impl Source<'_> {
         }
     }
 
-    fn of_positions(&self, field: SheetField, id: &'static str, part: ViewPart) -> Vec<Drawn> {
+    fn of_positions(
+        &self,
+        field: SheetField,
+        size: (f64, f64),
+        (id, part): (&'static str, ViewPart),
+    ) -> Vec<Drawn> {
         let plan = |position: &usize| {
             let figure = plans::figure(self.results, &look(*position), part);
             // What the vectors are, their points say.
             Figure { legend: Vec::new(), ..titled_first(figure, self.at(id, *position)) }
         };
-        Self::figures(field, PLAN, self.plans.iter().map(plan).collect::<Vec<_>>())
+        Self::figures(field, size, self.plans.iter().map(plan).collect::<Vec<_>>())
     }
 
     /// Of each position the groups with what acts on them and their polygons, from the last to the first, the input link as the last.
@@ -123,11 +133,12 @@ impl Source<'_> {
                 }
                 let loaded = assembly::loaded(self.results, position, links);
                 let [of, place] = [named(links), self.place(position)];
-                all.push(titled_first(loaded, text!("sheet-loaded", of = &of, place = &place)));
-                all.push(titled_first(drawn, text!("sheet-polygon", of, place)));
+                let loaded = titled_first(loaded, text!("sheet-loaded", of = &of, place = &place));
+                let drawn = titled_first(drawn, text!("sheet-polygon", of, place));
+                all.extend(Self::figures(SheetField::Forces, LOADED, [loaded]));
+                all.extend(Self::figures(SheetField::Forces, PLAN, [drawn]));
             }
         }
-        let all = Self::figures(SheetField::Forces, PLAN, all);
         let table = self.table_of_forces(&bodies).filter(|_| !all.is_empty());
         table.into_iter().chain(all).collect()
     }

@@ -19,13 +19,20 @@ pub(crate) struct Block {
     pub(crate) weight: f64,
 }
 
-/// In which order of directions a free place is looked for.
+/// How free places are looked for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Way {
-    /// In columns from the left.
-    Columns,
-    /// In rows from the top.
-    Rows,
+struct Way {
+    /// In rows from the top, else in columns from the left.
+    in_rows: bool,
+    /// For the largest block first, after the first one, else in the order of the blocks.
+    largest_first: bool,
+}
+
+/// The ways that keep the order of the blocks, and those that are tried where none of them has room.
+const WAYS: [[Way; 2]; 2] = [ways(false), ways(true)];
+
+const fn ways(largest_first: bool) -> [Way; 2] {
+    [Way { in_rows: false, largest_first }, Way { in_rows: true, largest_first }]
 }
 
 /// Index of the size and the place of a block.
@@ -37,19 +44,25 @@ pub(crate) struct Placed {
 
 /// The places of all blocks of one sheet, as large as they can be; `None` where they have no room in their least sizes.
 pub(crate) fn arrange(blocks: &[Block], frame: Area, title: Area) -> Option<Vec<Placed>> {
-    let grown = [Way::Columns, Way::Rows].into_iter().filter_map(|way| grown(blocks, frame, title, way));
+    let grown = |ways: [Way; 2]| ways.into_iter().filter_map(|way| grown(blocks, frame, title, way));
     let covered = |placed: &Vec<Placed>| -> f64 {
         blocks.iter().zip(placed).map(|(block, own)| block.sizes[own.level].iter().product::<f64>()).sum()
     };
-    grown.max_by(|one, other| covered(one).total_cmp(&covered(other)))
+    WAYS.into_iter().find_map(|ways| grown(ways).max_by(|one, other| covered(one).total_cmp(&covered(other))))
 }
 
-/// How many of the first blocks have room on one sheet in their least sizes.
+/// Whether all blocks have room on one sheet in their least sizes, in their order or not.
+pub(crate) fn fits(blocks: &[Block], frame: Area, title: Area) -> bool {
+    let levels = vec![0; blocks.len()];
+    WAYS.into_iter().flatten().any(|way| places(blocks, &levels, frame, title, way).is_some())
+}
+
+/// How many of the first blocks have room on one sheet in their least sizes and their order.
 pub(crate) fn fitting(blocks: &[Block], frame: Area, title: Area) -> usize {
     let fits = |count: &usize| {
         let levels = vec![0; *count];
         let placed = |way| places(&blocks[..*count], &levels, frame, title, way).is_some();
-        placed(Way::Columns) || placed(Way::Rows)
+        WAYS[0].into_iter().any(placed)
     };
     (1..=blocks.len()).take_while(fits).last().unwrap_or(0)
 }
@@ -92,17 +105,23 @@ fn grown(blocks: &[Block], frame: Area, title: Area, way: Way) -> Option<Vec<Pla
 fn places(blocks: &[Block], levels: &[usize], frame: Area, title: Area, way: Way) -> Option<Vec<Placed>> {
     let inner = [frame[0] + GAP, frame[1] + GAP, frame[2], frame[3]];
     let mut free = cut(vec![inner], [title[0] - GAP, title[1] - GAP, title[2], title[3]]);
-    let mut placed = Vec::new();
-    for (block, &level) in blocks.iter().zip(levels) {
-        let [width, height] = block.sizes[level].map(|side| side + GAP);
+    let mut placed = vec![Placed { level: 0, corner: [0.0; 2] }; blocks.len()];
+    let mut order: Vec<usize> = (0..blocks.len()).collect();
+    if way.largest_first {
+        let area = |at: usize| -> f64 { blocks[at].sizes[levels[at]].iter().product() };
+        order[1..].sort_by(|one, other| area(*other).total_cmp(&area(*one)));
+    }
+    for at in order {
+        let level = levels[at];
+        let [width, height] = blocks[at].sizes[level].map(|side| side + GAP);
         let fits = |area: &&Area| area[2] - area[0] + SAME >= width && area[3] - area[1] + SAME >= height;
-        let key = |area: &Area| if way == Way::Columns { [area[0], area[1]] } else { [area[1], area[0]] };
+        let key = |area: &Area| if way.in_rows { [area[1], area[0]] } else { [area[0], area[1]] };
         let first = free.iter().filter(fits).min_by(|one, other| {
             let [one, other] = [key(one), key(other)];
             one[0].total_cmp(&other[0]).then(one[1].total_cmp(&other[1]))
         });
         let corner = first.map(|area| [area[0], area[1]])?;
-        placed.push(Placed { level, corner });
+        placed[at] = Placed { level, corner };
         free = cut(free, [corner[0], corner[1], corner[0] + width, corner[1] + height]);
     }
     Some(placed)

@@ -142,15 +142,21 @@ pub fn sheet(results: &Results, note: &Note, language: &Language) -> Result<Vec<
     };
     let blocks: Vec<Block> = drawn.iter().zip(&sizes).map(block).collect();
     let standard = Standard::of(language);
-    let fits = |format: &SheetFormat| {
-        let frame = standard.frame(format::size(*format));
-        layout::fitting(&blocks, frame, standard.title(frame)) == blocks.len()
+    let areas = |format| {
+        let frame = standard.frame(format::size(format));
+        [frame, standard.title(frame)]
     };
-    // What no usual format holds goes on several sheets of the greatest of them.
-    let format = note.sheet.format.or_else(|| USUAL.into_iter().find(fits)).unwrap_or(SheetFormat::A1);
-    let frame = standard.frame(format::size(format));
-    let areas = [frame, standard.title(frame)];
-    let sheets = divided(&blocks, areas)?;
+    let holds = |format: &SheetFormat| {
+        let [frame, title] = areas(*format);
+        layout::fits(&blocks, frame, title)
+    };
+    // What no smaller format holds goes on sheets of the greatest usual one, where all fields keep their order.
+    let small = USUAL.into_iter().filter(|format| *format != SheetFormat::A1).find(holds);
+    let format = note.sheet.format.or(small).unwrap_or(SheetFormat::A1);
+    let areas = areas(format);
+    let [frame, block] = areas;
+    let alone = small.filter(|small| *small == format).and_then(|_| layout::arrange(&blocks, frame, block));
+    let sheets = alone.map_or_else(|| divided(&blocks, areas), |placed| Ok(vec![(0, placed)]))?;
     let count = sheets.len();
     let title = Text::from(&results.linkage.mechanism.title).render(language);
     let title = title.as_str();
@@ -159,7 +165,9 @@ pub fn sheet(results: &Results, note: &Note, language: &Language) -> Result<Vec<
         let scale = (0..placed.len()).map(own).find(|(drawn, _)| drawn.field == SheetField::Mechanism);
         let scale = scale.and_then(|(drawn, size)| drawn.scale(size, language));
         let mass = results.linkage.mechanism.links.iter().skip(1).map(|link| link.mass).sum();
-        let filling = Filling { title, note, language, sheet: [number + 1, count], mass, scale };
+        let fields = (0..placed.len()).map(|at| own(at).0.field);
+        let drawing = title::drawing(&fields.collect::<Vec<_>>());
+        let filling = Filling { title, drawing, note, language, sheet: [number + 1, count], mass, scale };
         let elements = title::elements(standard, format::size(format), &filling);
         let mut parts = vec![Part { field: None, elements }];
         parts.extend(placed.iter().enumerate().map(|(at, placed)| {

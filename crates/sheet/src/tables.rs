@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use assur_book::Fact;
 use assur_mechanism::LinkId;
 use assur_picture::{plans, plans::LeverForce, polygons};
-use assur_report::topic;
+use assur_report::topic::{self, About};
 use assur_scene::SheetField;
 use assur_words::{Language, Text, joined, measured, name, text};
 
@@ -114,14 +114,17 @@ impl Source<'_> {
 
     /// The results that are asked for first.
     pub(crate) fn table_of_results(&self) -> Drawn {
-        /// Rows that a sheet has.
+        /// Rows that a sheet has beside those of the regime, to which flywheel and motor belong.
         const MOST: usize = 24;
-        let facts = topic::summary(&self.found.analysis, &self.results.linkage);
+        let facts = topic::results(&self.found.analysis, &self.results.linkage);
+        let (regime, others): (Vec<_>, Vec<_>) =
+            facts.into_iter().partition(|(about, _)| *about == About::Regime);
+        let facts = others.into_iter().take(MOST).chain(regime).map(|(_, fact)| fact);
         let line = |text: &Text, language: &Language| text.typeset(language).replace('`', "");
         // The formula of the structure has the numbers of the links.
         let row =
             |fact: &Fact| vec![line(&fact.what(), self.language), line(&fact.with_unit(), self.numbered)];
-        let rows = facts.iter().map(row).take(MOST).collect();
+        let rows = facts.map(|fact| row(&fact)).collect();
         let title = text!("sheet-results").typeset(self.language);
         drawn(SheetField::Results, Table { title, head: Vec::new(), rows, words: 1 })
     }

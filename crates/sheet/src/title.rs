@@ -2,7 +2,7 @@
 
 use assur_figure::{Anchor, Element, Ink, Style};
 use assur_pdf::text_width;
-use assur_scene::Note;
+use assur_scene::{Note, SheetField};
 use assur_words::{Language, Text, measured, text};
 
 use crate::format::{Area, Standard};
@@ -15,6 +15,8 @@ const BESIDE: f64 = 0.8;
 /// What a title block is filled with.
 pub(crate) struct Filling<'a> {
     pub(crate) title: &'a str,
+    /// What the drawing is of.
+    pub(crate) drawing: Text,
     pub(crate) note: &'a Note,
     pub(crate) language: &'a Language,
     /// Number of the sheet, from 1, and of all.
@@ -29,6 +31,23 @@ impl Filling<'_> {
     /// A field of the note; empty where it is left out.
     fn of(&self, text: Option<&Text>) -> String {
         text.map(|text| text.render(self.language)).unwrap_or_default()
+    }
+}
+
+/// What a sheet with these fields is of.
+pub(crate) fn drawing(fields: &[SheetField]) -> Text {
+    use SheetField::{Accelerations, Diagrams, Dynamics, Forces, Lever, Mechanism, Velocities};
+    let has = |any: &[SheetField]| fields.iter().any(|field| any.contains(field));
+    let motion = has(&[Mechanism, Diagrams, Velocities, Accelerations]);
+    match (motion, has(&[Forces, Lever]), has(&[Dynamics])) {
+        (true, true, true) => text!("sheet-drawing-all"),
+        (true, true, false) => text!("sheet-drawing"),
+        (true, false, true) => text!("sheet-drawing-motion-dynamics"),
+        (true, false, false) => text!("sheet-drawing-motion"),
+        (false, true, true) => text!("sheet-drawing-forces-dynamics"),
+        (false, true, false) => text!("sheet-drawing-forces"),
+        (false, false, true) => text!("sheet-drawing-dynamics"),
+        (false, false, false) => text!("sheet-results"),
     }
 }
 
@@ -150,7 +169,7 @@ fn iso(block: &mut Block, filling: &Filling<'_>) {
         ([90.0, 0.0, 140.0, 9.0], text!("sheet-creator"), of(&note.author)),
         ([140.0, 0.0, 180.0, 9.0], text!("sheet-approval"), String::new()),
         ([0.0, 9.0, 45.0, 36.0], text!("sheet-owner"), owner(note, language)),
-        ([45.0, 9.0, 120.0, 18.0], text!("sheet-document-type"), text!("sheet-drawing").render(language)),
+        ([45.0, 9.0, 120.0, 18.0], text!("sheet-document-type"), filling.drawing.render(language)),
         ([45.0, 18.0, 120.0, 36.0], text!("sheet-title"), filling.title.to_owned()),
         ([120.0, 9.0, 180.0, 18.0], text!("sheet-status"), String::new()),
         ([120.0, 18.0, 180.0, 27.0], text!("sheet-number"), of(&note.sheet.number)),
@@ -234,7 +253,7 @@ fn gost_rules(block: &mut Block) {
 /// Designation and title, what the drawing is of, the organization.
 fn gost_names(block: &mut Block, filling: &Filling<'_>) {
     let (note, language, large) = (filling.note, filling.language, Style::SHEET.em);
-    let drawing = text!("sheet-drawing").render(language);
+    let drawing = filling.drawing.render(language);
     block.cell(
         [65.0, 0.0, 185.0, 15.0],
         &filling.of(note.sheet.number.as_ref()),

@@ -6,7 +6,7 @@ mod common;
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use assur_mechanism::Mechanism;
+use assur_mechanism::{Friction, Mechanism, PairId, Surfaces};
 use assur_picture::Results;
 use assur_report::{json::analysis::to_json, topic};
 use assur_scene::SheetField;
@@ -67,6 +67,16 @@ fn wanted(row: &Value, mechanism: &Mechanism, symbol: &str, told: &str) -> Optio
         let of = &row["reactions"][pair];
         return if is_moment { of["moment"].as_f64() } else { Some(size(&of[link])) };
     }
+    if let Some((pair, link)) = told.strip_prefix("friction in ").and_then(|of| of.split_once(" on ")) {
+        // A moment is told on the link of the table, which may be that of the journal.
+        let (of, link) = (&row["friction"][pair], link.trim_end_matches(", a part of the reaction"));
+        let size = if is_moment { of["moment"].as_f64()? } else { of["force"].as_f64()?.abs() };
+        return Some(if is_moment { size * sense(mechanism, pair, link) } else { size });
+    }
+    if told == "inertia of flywheel and rotor" {
+        // With the drive it keeps up the motion, as the balancing load does.
+        return None;
+    }
     if let Some(link) = told.strip_prefix("inertia of ") {
         let of = &row["inertia_loads"][link];
         return if is_moment { of["moment"].as_f64() } else { Some(size(&of["force"])) };
@@ -77,6 +87,18 @@ fn wanted(row: &Value, mechanism: &Mechanism, symbol: &str, told: &str) -> Optio
     }
     let load = &row["loads"][told];
     if told == "balancing load" { row["balancing"].as_f64() } else { load.as_f64().map(f64::abs) }
+}
+
+/// The sign of the friction of a pin on a link: that of the JSON is on what turns on the owner of the journal.
+fn sense(mechanism: &Mechanism, pair: &str, link: &str) -> f64 {
+    let owner = |friction: &Friction| match (friction.pair, friction.surfaces) {
+        (PairId::Pin(point), Surfaces::Journal { owner, .. }) if mechanism.points[point].name == *pair => {
+            Some(owner)
+        }
+        _ => None,
+    };
+    let owner = mechanism.frictions.iter().find_map(owner).unwrap();
+    if mechanism.links[owner].name == *link { -1.0 } else { 1.0 }
 }
 
 fn size_of(vector: [f64; 2]) -> f64 {
@@ -120,6 +142,23 @@ fn the_numbers_of_the_sheet_are_those_of_the_json() {
             }
         }
         assert!(compared >= least, "{scene}: {compared}");
+    }
+}
+
+#[test]
+fn drive_and_inertia_of_the_flywheel_are_the_balancing_load() {
+    let (results, [pages]) = results_and_pages("shaper-drive", ["en"]);
+    let analysis = &results.found.as_ref().unwrap().analysis;
+    let json: Value = serde_json::from_str(&to_json(analysis, false).unwrap()).unwrap();
+    let (places, forces) = forces(&pages);
+    for (at, position) in places.iter().enumerate() {
+        let moment = |symbol: &str| -> f64 {
+            let value = &forces[symbol].1[at];
+            value.replace('\u{2212}', "-").split([' ', '\u{a0}']).next().unwrap().parse().unwrap()
+        };
+        let balancing = json["positions"][*position]["balancing"].as_f64().unwrap();
+        let found = moment("Md") + moment("Mfl");
+        assert!((found - balancing).abs() < 1e-3 * balancing.abs(), "{position}: {found} {balancing}");
     }
 }
 

@@ -15,7 +15,7 @@ pub(super) fn rows<'a>(figure: &'a Figure, width: f64, print: &Print<'_>) -> Row
     let mut used = f64::INFINITY;
     for key in &figure.legend {
         let text = key.text.typeset(print.language);
-        let wide = wide(&text, print);
+        let wide = wide(key, &text, print);
         if used + wide > width {
             rows.push(Vec::new());
             used = 0.0;
@@ -27,13 +27,14 @@ pub(super) fn rows<'a>(figure: &'a Figure, width: f64, print: &Print<'_>) -> Row
 }
 
 /// Width of an entry with this text.
-fn wide(text: &str, print: &Print<'_>) -> f64 {
-    (print.style.sample + APART) * print.style.em + print.width(text)
+fn wide(key: &Key, text: &str, print: &Print<'_>) -> f64 {
+    let sample = if key.sample == Sample::None { 0.0 } else { print.style.sample };
+    (sample + APART) * print.style.em + print.width(text)
 }
 
 /// Width of the widest row.
 pub(super) fn width(rows: &Rows<'_>, print: &Print<'_>) -> f64 {
-    rows.iter().map(|row| row.iter().map(|(_, text)| wide(text, print)).sum()).fold(0.0, f64::max)
+    rows.iter().map(|row| row.iter().map(|(key, text)| wide(key, text, print)).sum()).fold(0.0, f64::max)
 }
 
 /// The elements of the rows from a corner on.
@@ -58,6 +59,7 @@ pub(super) fn elements(rows: &Rows<'_>, [left, top]: Point, print: &Print<'_>) -
                     ));
                     style.sample * em
                 }
+                Sample::None => -0.5 * em,
             };
             elements.push(print.text([x + width + 0.5 * em, y], told, crate::Ink::Text, Anchor::Start));
             x += width + print.width(told) + APART * em;
