@@ -56,7 +56,7 @@ impl Formulas {
     }
 
     /// Writes the paragraphs; one whose formulas are not in the note goes.
-    pub(super) fn resolve(&self, page: &mut Document, position: usize) {
+    pub(super) fn resolve(&self, page: &mut Document, position: usize, has_friction: bool) {
         for (at, finds) in self.wanted.take().into_iter().rev() {
             let found = self.found.borrow();
             let mut numbers = found.iter().filter(|(_, own)| *own == finds).map(|(number, _)| *number);
@@ -67,6 +67,7 @@ impl Formulas {
             };
             let id = match finds {
                 Finds::Motion => "note-formulas-of-motion",
+                Finds::Forces if has_friction => "note-formulas-of-forces-with-friction",
                 Finds::Forces => "note-formulas-of-forces",
             };
             let [position, first, last] = [position, first, last].map(number);
@@ -79,7 +80,9 @@ impl Formulas {
 pub(super) fn working(context: &Context<'_>, page: &mut Document) -> Result<(), Text> {
     let position = context.positions[0];
     let working = working::of_position(context.found.plans.calculation(), position);
-    page.heading(text!("note-working", position = number(position)));
+    let is_instant = context.results.samples().is_some();
+    let heading = if is_instant { "note-working-of-instant" } else { "note-working" };
+    page.heading(Text::message(heading, vec![("position", number(position))]));
     page.paragraph(text!("note-working-text", position = number(position)));
     let sections = match working {
         Ok(working) => working.sections,

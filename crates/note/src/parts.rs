@@ -7,7 +7,7 @@ use assur_report::topic;
 use assur_scene::Chapter;
 use assur_words::{Text, joined, list, name, number, text, unit};
 
-use crate::context::{Context, is_zero, look, on_paper, show, show_frames};
+use crate::context::{Context, Told, is_zero, look, on_paper, show, show_frames};
 use crate::formula::Finds;
 use crate::{conclusions, forces, formula, symbols};
 
@@ -65,7 +65,8 @@ pub(super) fn document(context: &Context<'_>) -> Result<Document, Text> {
     for (_, part) in parts.iter().filter(|(chapter, _)| context.note.has(*chapter)) {
         part(context, &mut page);
     }
-    context.formulas.resolve(&mut page, context.positions[0]);
+    let has_friction = context.found.analysis.friction.is_some();
+    context.formulas.resolve(&mut page, context.positions[0], has_friction);
     Ok(page)
 }
 
@@ -98,7 +99,7 @@ fn curves(context: &Context<'_>, page: &mut Document) -> Result<(), Text> {
         let picked: Vec<String> = names.iter().map(column).collect::<Result<_, _>>()?;
         let figure = curves::with_legend(context.results, &Look { picked: &picked, ..context.first() });
         let titles = picked.iter().filter_map(|short| context.results.named(short)).map(Series::title);
-        let caption = text!("note-curves-of", of = list(titles));
+        let caption = text!("note-curves-of", over = context.over(), of = list(titles));
         show(page, "note-see-curves", (on_paper(figure), CURVES), caption);
     }
     Ok(())
@@ -128,10 +129,19 @@ fn task(context: &Context<'_>, page: &mut Document) {
     let frames: Vec<_> = frames.collect();
     let caption = text!("note-mechanism-moving", at = context.place(results.first_position()));
     show_frames(page, "note-see-mechanism", (frames, MECHANISM), caption);
-    let others: Vec<usize> = (0..OVER).map(|at| at * results.positions() / OVER).collect();
+    let others = evenly(results.positions(), results.is_cycle());
     let over = on_paper(assembly::positions(results, &others, context.positions[0]));
     let caption = text!("note-all-positions", place = context.place(context.positions[0]));
-    show(page, "note-see-all-positions", (over, OVERLAID), caption);
+    show(page, context.told("note-see-all-positions"), (over, OVERLAID), caption);
+}
+
+/// The positions that are drawn over each other; of a motion that doesn't return to its first one, with the last.
+fn evenly(count: usize, is_cycle: bool) -> Vec<usize> {
+    let (steps, shown) = if is_cycle { (count, OVER) } else { (count - 1, OVER - 1) };
+    if count <= OVER {
+        return (0..count).collect();
+    }
+    (0..OVER).map(|at| at * steps / shown).collect()
 }
 
 /// Mobility, pairs, groups, and the mechanism assembled group by group.
@@ -140,8 +150,13 @@ fn structure(context: &Context<'_>, page: &mut Document) {
     context.tell(page, &[topic::mobility, topic::pairs, topic::groups]);
     let figure = on_paper(assembly::groups(context.results, context.positions[0]));
     let size = [PANELS[0], PANELS[1] * figure.rows() as f64];
-    let caption = text!("note-assembly", place = context.place(context.positions[0]));
-    show(page, "note-see-assembly", (figure, size), caption);
+    let place = context.place(context.positions[0]);
+    let (told, what) = if context.results.linkage.structure.groups.is_empty() {
+        ("note-see-input-link", text!("note-input-apart"))
+    } else {
+        ("note-see-assembly", text!("note-parts-apart"))
+    };
+    show(page, told, (figure, size), text!("note-assembly", what, place));
 }
 
 /// The mechanism and its plans in the chosen positions, tables of rates, curves of the last quantity.
@@ -171,9 +186,16 @@ fn kinematics(context: &Context<'_>, page: &mut Document) {
     let transfer = results.transfers.len().saturating_sub(1);
     let curves = curves::figure(results, &Look { transfer, ..context.first() });
     let of = &curves.title;
-    let caption =
-        if results.linkage.kind().is_time() { text!("note-course", of) } else { text!("note-transfer", of) };
-    show(page, "note-see-transfer", (on_paper(curves), TRANSFER), caption);
+    let is_time = results.linkage.kind().is_time();
+    let caption = if is_time { text!("note-course", of) } else { text!("note-transfer", of) };
+    let told = match results.transfers.last().map(|transfer| transfer.owner) {
+        _ if is_time => "note-see-course-of",
+        Some(Owner::Slide(_)) => "note-see-displacement",
+        Some(Owner::Link(_)) => "note-see-angle",
+        _ => "note-see-transfer",
+    };
+    let told = Told(told, vec![("over", context.over()), ("of", of.clone())]);
+    show(page, told, (on_paper(curves), TRANSFER), caption);
 }
 
 /// Numbers, iteration and curves of the regime; curves of the motion where there is no regime.
