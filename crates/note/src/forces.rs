@@ -2,7 +2,7 @@
 //! reactions, the balancing load.
 
 use assur_analysis::results::Owner;
-use assur_book::{Document, Table, Unit, catalogue};
+use assur_book::{Block, Document, Table, Unit, catalogue};
 use assur_diagram::PlanVector;
 use assur_figure::{Figure, Ink, Panel, Stroke};
 use assur_force::{Construction, ConstructionStep, VectorKind};
@@ -10,7 +10,7 @@ use assur_picture::forces::{self, beside_friction};
 use assur_mechanism::{Friction, LinkId, Load, LoadKind, Surfaces};
 use assur_picture::{Look, Reaction, Series, ViewPart, assembly, curves, plans, plots, polygons};
 use assur_report::topic;
-use assur_words::{Text, list, measured, number, text, unit};
+use assur_words::{Text, list, measured, name, number, text, unit};
 
 use crate::context::{Context, Told, on_paper, show, still};
 use crate::formula::Finds;
@@ -50,11 +50,27 @@ pub(super) fn forces(context: &Context<'_>, page: &mut Document) {
     polygons(context, page);
     lever(context, page);
     construction(context, page);
-    context
-        .tell(page, &[topic::reactions_at_positions, topic::balancing_at_positions, topic::friction_tables]);
+    context.tell(page, &[topic::reactions_at_positions, topic::balancing_at_positions]);
+    friction(context, page);
     context.formulas.refer(page, Finds::Forces);
     touching(context, page);
     over_cycle(context, page);
+}
+
+/// The formulas of friction before its tables, of which that of efficiency and self-locking has its own title here.
+fn friction(context: &Context<'_>, page: &mut Document) {
+    if context.found.analysis.friction.is_none() {
+        return;
+    }
+    let [moment, force] = ["M", "F"].map(|letter| name(letter).below(name("f")));
+    page.paragraph(text!("note-friction-formulas", moment, force));
+    let before = page.blocks.len();
+    context.tell(page, &[topic::friction_tables]);
+    for block in &mut page.blocks[before..] {
+        if let Block::Facts { caption, .. } = block {
+            *caption = text!("note-friction-facts");
+        }
+    }
 }
 
 /// The reactions of the pairs with friction in the first of the chosen positions, touching the circles of friction.

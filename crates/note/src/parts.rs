@@ -122,6 +122,9 @@ fn task(context: &Context<'_>, page: &mut Document) {
     page.heading(text!("report-task"));
     page.blocks.extend(context.note.task.clone().map(Block::Paragraph));
     page.paragraph(topic::task_text(&context.source()));
+    if context.results.samples().is_some() {
+        page.paragraph(text!("note-instants", places = context.places()));
+    }
     context.tell(page, &[topic::dimensions, topic::loads_given, topic::motion_given]);
     let results = context.results;
     let frame = |position| on_paper(mechanism::figure(results, &look(position), &[]));

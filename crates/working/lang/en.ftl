@@ -97,7 +97,7 @@ working-driving-moment = of the drive at this speed, on the input link
 working-inertia-of-drive = flywheel and rotor, reduced to the input link
 working-check-by-drive = Check by the drive
 working-what-the-drive-gives = The drive gives the balancing load, and accelerates flywheel and rotor:
-working-must-be = It must be { $quantity } above.
+working-must-be = This must equal { $quantity } above.
 
 # Reactions.
 working-no-balancing = The balancing load does no work in this position: it is not determined.
@@ -161,10 +161,16 @@ working-friction-normal = |N| in { $pair }
 working-friction-end = |N| at end { $end } of { $pair }
 working-friction-of = friction in { $pair }, found above
 working-friction-along = component of the direction of the guide
-working-to-point = (E eqs. 4-6) The same reduced to the point { $point } of the input link, whose velocity is r ω: one force along it with the power of Q, and one mass there with the energy of J.
+working-to-point = (E eqs. 4-6) The same reduced to the point { $point } of the input link, whose velocity is r ω: one force along the velocity, F = Q/r, and the mass at this point, m = J/r².
 working-energy-uniform = Uniformly accelerated motion (D eqs. 3.12, 3.13)
 working-energy-speed-at-start = speed at the start
 working-energy-speed-at-end = speed at the end
 working-energy-by-time = (3.12) ω = ε t + { $speed }, from which the time:
 working-energy-way-by-time = (3.13) The displacement in this time, from the start on:
 working-energy-balance-resists = Constant moment of the resistance
+working-friction-reaction = reaction in { $pair }, found above
+working-friction-pressing = normal force in { $pair }, found above
+working-friction-pressing-ends = |N₁| + |N₂| on both ends of { $pair }, found above
+working-friction-circle = radius of the circle of friction
+working-brake-lever = ratio of the lever
+working-brake-force = force on the lever

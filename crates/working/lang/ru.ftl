@@ -93,11 +93,11 @@ working-reduction = Приведение к входному звену
 working-reduced-inertia = J — удвоенная кинетическая энергия звеньев при ω = 1; J′ — её производная по q
 working-reduced-moment = Q — мощность всех нагрузок, кроме движущей, при ω = 1, звено за звеном
 working-equation = Уравнение движения
-working-driving-moment = привода при этой скорости, на входном звене
+working-driving-moment = момент привода при этой скорости, на входном звене
 working-inertia-of-drive = маховика и ротора, приведённый к входному звену
 working-check-by-drive = Проверка по приводу
 working-what-the-drive-gives = Привод даёт уравновешивающую нагрузку и разгоняет маховик и ротор:
-working-must-be = Должно равняться { $quantity } выше.
+working-must-be = Должно равняться найденному выше { $quantity }.
 
 # Реакции.
 working-no-balancing = В этом положении уравновешивающая нагрузка не совершает работы: она не определена.
@@ -156,15 +156,21 @@ working-friction-block-not-proved = { $what }: спектральный ради
 working-friction-step = шаг { $step }: { $moduli }
 working-friction-newton = решение: { $moduli }
 working-friction-modulus = { $name } = { $value }
-working-friction-pin = |R| в { $pair } на { $link }
+working-friction-pin = |R| в { $pair } на звено «{ $link }»
 working-friction-normal = |N| в { $pair }
 working-friction-end = |N| на конце { $end } пары { $pair }
 working-friction-of = трение в { $pair }, найденное выше
 working-friction-along = составляющая направления направляющей
-working-to-point = (E, уравнения 4–6) То же, приведённое к точке { $point } входного звена, скорость которой r ω: одна сила вдоль неё с мощностью Q и одна масса в ней с энергией J.
+working-to-point = (E, уравнения 4–6) То же, приведённое к точке { $point } входного звена, скорость которой r ω: одна сила вдоль скорости, F = Q/r, и масса в этой точке, m = J/r².
 working-energy-uniform = Равноускоренное движение (D, уравнения 3.12, 3.13)
 working-energy-speed-at-start = скорость в начале
 working-energy-speed-at-end = скорость в конце
 working-energy-by-time = (3.12) ω = ε t + { $speed }, откуда время:
 working-energy-way-by-time = (3.13) Путь за это время, от начала:
 working-energy-balance-resists = Постоянный момент сопротивления
+working-friction-reaction = реакция в { $pair }, найденная выше
+working-friction-pressing = нормальная сила в { $pair }, найденная выше
+working-friction-pressing-ends = |N₁| + |N₂| на обоих концах пары { $pair }, найдено выше
+working-friction-circle = радиус круга трения
+working-brake-lever = отношение плеч рычага
+working-brake-force = сила на рычаге

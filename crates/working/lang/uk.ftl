@@ -93,11 +93,11 @@ working-reduction = Зведення до вхідної ланки
 working-reduced-inertia = J — подвоєна кінетична енергія ланок за ω = 1; J′ — її похідна за q
 working-reduced-moment = Q — потужність усіх навантажень, крім рушійного, за ω = 1, ланка за ланкою
 working-equation = Рівняння руху
-working-driving-moment = привода за цієї швидкості, на вхідній ланці
+working-driving-moment = момент приводу за цієї швидкості, на вхідній ланці
 working-inertia-of-drive = маховика й ротора, зведений до вхідної ланки
 working-check-by-drive = Перевірка за приводом
 working-what-the-drive-gives = Привод дає зрівноважувальне навантаження і розганяє маховик та ротор:
-working-must-be = Має дорівнювати { $quantity } вище.
+working-must-be = Має дорівнювати знайденому вище { $quantity }.
 
 # Реакції.
 working-no-balancing = У цьому положенні зрівноважувальне навантаження не виконує роботи: його не визначено.
@@ -156,15 +156,21 @@ working-friction-block-not-proved = { $what }: спектральний раді
 working-friction-step = крок { $step }: { $moduli }
 working-friction-newton = розв'язок: { $moduli }
 working-friction-modulus = { $name } = { $value }
-working-friction-pin = |R| у { $pair } на { $link }
+working-friction-pin = |R| у { $pair } на ланку «{ $link }»
 working-friction-normal = |N| у { $pair }
 working-friction-end = |N| на кінці { $end } пари { $pair }
 working-friction-of = тертя в { $pair }, знайдене вище
 working-friction-along = складова напрямку напрямної
-working-to-point = (E, рівняння 4–6) Те саме, зведене до точки { $point } вхідної ланки, швидкість якої r ω: одна сила вздовж неї з потужністю Q і одна маса в ній з енергією J.
+working-to-point = (E, рівняння 4–6) Те саме, зведене до точки { $point } вхідної ланки, швидкість якої r ω: одна сила вздовж швидкості, F = Q/r, і маса в цій точці, m = J/r².
 working-energy-uniform = Рівноприскорений рух (D, рівняння 3.12, 3.13)
 working-energy-speed-at-start = швидкість на початку
 working-energy-speed-at-end = швидкість у кінці
 working-energy-by-time = (3.12) ω = ε t + { $speed }, звідки час:
 working-energy-way-by-time = (3.13) Шлях за цей час, від початку:
 working-energy-balance-resists = Сталий момент опору
+working-friction-reaction = реакція в { $pair }, знайдена вище
+working-friction-pressing = нормальна сила в { $pair }, знайдена вище
+working-friction-pressing-ends = |N₁| + |N₂| на обох кінцях пари { $pair }, знайдено вище
+working-friction-circle = радіус круга тертя
+working-brake-lever = відношення плечей важеля
+working-brake-force = сила на важелі
