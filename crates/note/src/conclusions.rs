@@ -1,5 +1,6 @@
 //! The conclusions: what was found, what proves it, and what is weak, all from the facts of the results.
 
+use assur_analysis::results::Check;
 use assur_book::{Document, Fact, Value};
 use assur_report::topic::{self, About};
 use assur_words::{Text, joined, number, text};
@@ -20,7 +21,7 @@ pub(super) fn conclusions(context: &Context<'_>, page: &mut Document) {
     let facts = topic::results(analysis, &context.results.linkage);
     page.heading(text!("note-conclusions"));
     for (about, id) in PARAGRAPHS {
-        let told = |fact| sentence(fact, analysis.checks.len());
+        let told = |fact| sentence(fact, &analysis.checks);
         let own = facts.iter().filter(|(of, _)| *of == about).map(|(_, fact)| told(fact));
         let own = joined("; ", own);
         if !own.is_empty() {
@@ -34,15 +35,14 @@ pub(super) fn conclusions(context: &Context<'_>, page: &mut Document) {
     let weak: Vec<Text> = told.chain(motor.map(|warning| Text::from(&warning.text))).collect();
     let id = if weak.is_empty() { "note-concluded-nothing-weak" } else { "note-concluded-weak" };
     page.paragraph(text!(id));
-    weak.into_iter().for_each(|remark| page.paragraph(remark));
+    weak.into_iter().for_each(|remark| page.paragraph(remark.heading()));
 }
 
-/// A fact in a row of others; of a number of checks.
-fn sentence(fact: &Fact, checks: usize) -> Text {
+/// A fact in a row of others; that of the checks in words, where each of them has a verdict.
+fn sentence(fact: &Fact, checks: &[Check]) -> Text {
     match (fact.id, &fact.value, &fact.at[..]) {
-        // Where all of them have a verdict.
-        ("fact-checks-hold", ..) if fact.value() == of_checks(checks) => {
-            return text!("note-checks-all", count = number(checks));
+        ("fact-checks-hold", ..) if checks.iter().all(|check| check.finding.holds.is_some()) => {
+            return text!("note-checks-all", count = number(checks.len()));
         }
         ("fact-self-braking" | "fact-dead-angle", Value::Number(_), [from, to]) => {
             let [from, to] = [fact.at_unit.number(*from), fact.at_unit.show(*to)];
@@ -54,9 +54,4 @@ fn sentence(fact: &Fact, checks: usize) -> Text {
     let sign = if matches!(fact.value, Value::Text(_)) { "—" } else { "=" };
     let told = joined(" ", [fact.what(), assur_words::name(sign), fact.with_unit()]);
     if place.is_empty() { told } else { text!("note-fact-at", fact = told, place) }
-}
-
-/// `19 / 19`, as the fact tells that every check has a verdict.
-fn of_checks(count: usize) -> Text {
-    joined(" / ", [number(count), number(count)])
 }

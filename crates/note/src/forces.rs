@@ -77,14 +77,19 @@ fn friction(context: &Context<'_>, page: &mut Document) {
 fn touching(context: &Context<'_>, page: &mut Document) {
     let (found, position) = (context.found, context.positions[0]);
     let of = |reaction| beside_friction(found, position, reaction);
-    let is_on_ends = |friction: &Friction| matches!(friction.surfaces, Surfaces::Faces { .. });
-    let on_ends = found.linkage.mechanism.frictions.iter().any(is_on_ends);
-    let told = if on_ends { "note-see-friction-ends" } else { "note-see-friction" };
     let panels: Vec<Panel> = found.reactions.iter().filter_map(of).take(MOST_CIRCLES).collect();
+    if panels.is_empty() {
+        return;
+    }
+    page.paragraph(text!("note-friction-touches"));
+    let is_on_ends = |friction: &Friction| matches!(friction.surfaces, Surfaces::Faces { .. });
+    if found.linkage.mechanism.frictions.iter().any(is_on_ends) {
+        page.paragraph(text!("note-friction-on-ends"));
+    }
     let figure = Figure { panels, columns: 2, ..Figure::default() };
     let size = [CURVE[0], 58.0 * figure.rows() as f64];
     let caption = text!("note-friction-drawn", place = context.place(position));
-    show(page, told, (figure, size), caption);
+    show(page, "note-see-friction", (figure, size), caption);
 }
 
 /// The values of the loads that vary over the cycle (S fig. 6), the first ones of many.

@@ -28,8 +28,9 @@ const LINK: [f64; 2] = [165.0, 75.0];
 const PLACES: [f64; 2] = [165.0, 90.0];
 /// Width of the assembly and height of a row of its panels, mm.
 const PANELS: [f64; 2] = [165.0, 85.0];
-/// Positions over each other.
+/// Positions over each other, of a cycle, and of a motion over a part of one.
 const OVER: usize = 12;
+const OVER_PART: usize = 7;
 
 /// Writes a part of the note.
 type Part = fn(&Context<'_>, &mut Document);
@@ -140,11 +141,12 @@ fn task(context: &Context<'_>, page: &mut Document) {
 
 /// The positions that are drawn over each other; of a motion that doesn't return to its first one, with the last.
 fn evenly(count: usize, is_cycle: bool) -> Vec<usize> {
-    let (steps, shown) = if is_cycle { (count, OVER) } else { (count - 1, OVER - 1) };
-    if count <= OVER {
+    let most = if is_cycle { OVER } else { OVER_PART };
+    if count <= most {
         return (0..count).collect();
     }
-    (0..OVER).map(|at| at * steps / shown).collect()
+    let (steps, parts) = if is_cycle { (count, most) } else { (count - 1, most - 1) };
+    (0..most).map(|at| at * steps / parts).collect()
 }
 
 /// Mobility, pairs, groups, and the mechanism assembled group by group.
@@ -237,6 +239,7 @@ fn dynamics(context: &Context<'_>, page: &mut Document) {
     // The last panel repeats the moments.
     let mut drive = of_drive(ViewPart::Curves);
     drive.panels.pop();
+    formula::drive(context, page);
     show(page, "note-see-characteristic", (drive, CURVES), text!("note-characteristic"));
     let places = (of_drive(ViewPart::Places), PLACES);
     show(page, "note-see-places", places, text!("note-places-drawn"));

@@ -107,7 +107,7 @@ working-balancing-load = Balancing load, from powers
 working-unit-power = p is the power of a balancing load of 1 for dq = 1; its size makes the sum of powers zero
 working-balancing-direction = direction of the balancing force
 working-check-by-power = Check by virtual power
-working-whole-power = W: power of all loads and inertia loads for dq = 1, link by link; no reaction does work
+working-whole-power = P: power of all loads and inertia loads for dq = 1, link by link; no reaction does work
 working-driven = Input: pair { $pair }
 working-driven-angle = q is the angle of { $link } minus that of { $on }
 working-driven-displacement = q is the displacement of { $link } along the guide on { $on }

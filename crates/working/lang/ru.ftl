@@ -107,7 +107,7 @@ working-balancing-load = Уравновешивающая нагрузка из 
 working-unit-power = p — мощность единичной уравновешивающей нагрузки при dq = 1; её величина делает сумму мощностей нулевой
 working-balancing-direction = направление уравновешивающей силы
 working-check-by-power = Проверка по виртуальной мощности
-working-whole-power = W — мощность всех нагрузок и сил инерции при dq = 1, звено за звеном; реакции работы не совершают
+working-whole-power = P — мощность всех нагрузок и сил инерции при dq = 1, звено за звеном; реакции работы не совершают
 working-driven = Вход: пара { $pair }
 working-driven-angle = q — угол { $link } минус угол { $on }
 working-driven-displacement = q — перемещение { $link } вдоль направляющей на { $on }

@@ -107,7 +107,7 @@ working-balancing-load = Зрівноважувальне навантаженн
 working-unit-power = p — потужність одиничного зрівноважувального навантаження за dq = 1; його величина робить суму потужностей нульовою
 working-balancing-direction = напрям зрівноважувальної сили
 working-check-by-power = Перевірка за віртуальною потужністю
-working-whole-power = W — потужність усіх навантажень і сил інерції за dq = 1, ланка за ланкою; реакції роботи не виконують
+working-whole-power = P — потужність усіх навантажень і сил інерції за dq = 1, ланка за ланкою; реакції роботи не виконують
 working-driven = Вхід: пара { $pair }
 working-driven-angle = q — кут { $link } мінус кут { $on }
 working-driven-displacement = q — переміщення { $link } уздовж напрямної на { $on }
