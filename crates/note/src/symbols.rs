@@ -41,9 +41,10 @@ fn of_motion(context: &Context<'_>) -> Vec<Row> {
     if !kind.is_time() {
         rows.push((FUNCTIONS, "note-symbol-position-function", Unit::NONE));
     }
-    if !kind.is_time() {
-        rows.push(("ω_1", "note-symbol-input-speed", speed));
-        rows.push(("ε_1", "note-symbol-input-acceleration", acceleration));
+    // Of an input that turns they are among the rates of links.
+    if !kind.is_time() && !kind.is_angle() {
+        rows.push(("ω", "note-symbol-input-speed", speed));
+        rows.push(("ε", "note-symbol-input-acceleration", acceleration));
     }
     rows.extend([
         ("x, y", "note-symbol-place", Unit::LENGTH),

@@ -93,8 +93,8 @@ working-reduction = Reduction to the input link
 working-reduced-inertia = J: twice the kinetic energy of the links for ω = 1; J′: its derivative with respect to q
 working-reduced-moment = Q: power of all loads but that of the drive for ω = 1, link by link
 working-equation = Equation of motion
-working-driving-moment = of the drive at this speed, on the input link
-working-inertia-of-drive = flywheel and rotor, reduced to the input link
+working-driving-moment = moment of the drive at this speed, on the input link
+working-inertia-of-drive = inertia of flywheel and rotor, reduced to the input link
 working-check-by-drive = Check by the drive
 working-what-the-drive-gives = The drive gives the balancing load, and accelerates flywheel and rotor:
 working-must-be = This must equal { $quantity } above.
@@ -117,9 +117,9 @@ working-moments-about = moments about { $point }:
 
 # The working of a force analyzer.
 working-of-analyzer = working of a force analyzer
-working-by-method = Forces by `{ $method }`
+working-by-method = Forces found { $method }
 working-no-method = This method has no solution in this position.
-working-method-and-groups = Check: `{ $method }` against the groups
+working-method-and-groups = Check: forces found { $method }, against those by the groups
 working-differences = What the method gives minus what was found group by group: zero except for rounding.
 # The energy form.
 working-energy-way = Displacement of the input
@@ -171,6 +171,5 @@ working-energy-balance-resists = Constant moment of the resistance
 working-friction-reaction = reaction in { $pair }, found above
 working-friction-pressing = normal force in { $pair }, found above
 working-friction-pressing-ends = |N₁| + |N₂| on both ends of { $pair }, found above
-working-friction-circle = radius of the circle of friction
 working-brake-lever = ratio of the lever
 working-brake-force = force on the lever
