@@ -97,7 +97,9 @@ impl Work<'_> {
             Surfaces::Place => (1.0, pressing, "working-friction-pressing"),
             Surfaces::Faces { .. } => (1.0, value.abs() / coefficient, "working-friction-pressing-ends"),
         };
-        if !((coefficient * radius * pressing - value.abs()).abs() <= SAME * value.abs()) {
+        let by_formula = coefficient * radius * pressing;
+        let is_same = (by_formula - value.abs()).abs() <= SAME * value.abs();
+        if !is_same {
             return self.sheet.given(symbol, value, unit, text!("working-friction-of", pair = of));
         }
         let f = Symbol::from("f").of(of.clone());

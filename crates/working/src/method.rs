@@ -82,5 +82,7 @@ impl Work<'_> {
 /// How an analyzer finds forces, in words; its name where it is not registered.
 fn wording(analyzer: &'static str) -> Text {
     let all = assur_force::analyzers().unwrap_or_default();
-    all.iter().find(|plugin| plugin.name == analyzer).map_or_else(|| name(analyzer), |own| own.wording.clone())
+    all.iter()
+        .find(|plugin| plugin.name == analyzer)
+        .map_or_else(|| name(analyzer), |own| own.wording.clone())
 }
