@@ -1,7 +1,7 @@
 //! Agreement of the methods: every reaction and the balancing load.
 
 use assur_force::{AnalyzerPlugin, Reactions};
-use assur_words::{Text, name, text};
+use assur_words::{Text, text};
 
 use crate::case::{Case, largest};
 use crate::numbers::{SAFETY, SAMPLES, SPACING, rounding_of};
@@ -47,7 +47,7 @@ fn compare_with(case: &Case<'_>, other: &Reactions, method: &AnalyzerPlugin, col
             // determinant, and that of the places of the directions of links, is known.
             Some(_) => usual * spread / case.one.health,
         };
-        collector.offer(case.one.index, *off, limit, || number_name(case, k, method.name));
+        collector.offer(case.one.index, *off, limit, || number_name(case, k, method.wording.clone()));
     }
 }
 
@@ -102,13 +102,13 @@ fn sizes(numbers: &[f64], scale: f64, units: [f64; 2]) -> Vec<f64> {
     std::iter::once(numbers[0].abs() / units[0]).chain(pairs).collect()
 }
 
-fn number_name(case: &Case<'_>, k: usize, method: &'static str) -> Text {
+fn number_name(case: &Case<'_>, k: usize, method: Text) -> Text {
     let linkage = case.subject.linkage;
     match k.checked_sub(1) {
-        None => text!("check-balancing-by", method = name(method)),
+        None => text!("check-balancing-by", method),
         Some(pair) => {
             let pair = linkage.structure.pair_name(&linkage.mechanism, pair);
-            text!("check-pair-by", pair, method = name(method))
+            text!("check-pair-by", pair, method)
         }
     }
 }

@@ -69,22 +69,42 @@ impl Context<'_> {
         text!("note-legend-at", caption, place = self.place(self.positions[0]))
     }
 
+    /// `over the cycle`; where the positions are not those of a cycle, `over the motion`.
+    pub(super) fn over(&self) -> Text {
+        if self.results.is_cycle() { text!("note-over-cycle") } else { text!("note-over-motion") }
+    }
+
+    /// A sentence that says over what the curves of a figure go.
+    pub(super) fn told(&self, id: &'static str) -> Told {
+        Told(id, vec![("over", self.over())])
+    }
+
     pub(super) fn places(&self) -> Text {
         joined("; ", self.positions.iter().map(|position| self.place(*position)))
+    }
+}
+
+/// The sentence before a figure: its identity, and its values beside the number of the figure.
+#[derive(Debug, Clone)]
+pub(super) struct Told(pub(super) &'static str, pub(super) Vec<(&'static str, Text)>);
+
+impl From<&'static str> for Told {
+    fn from(id: &'static str) -> Self {
+        Self(id, Vec::new())
     }
 }
 
 /// Rows of planes in one figure: more of them don't fit on a page.
 const ROWS: usize = 2;
 
-/// A figure behind the sentence that names it by its number; `told`: the identity of the sentence. Nothing where it has no panels, or only
-/// curves that are zero.
+/// A figure behind the sentence that names it by its number. Nothing where it has no panels, or only curves that are zero.
 pub(super) fn show(
     page: &mut Document,
-    told: &'static str,
+    told: impl Into<Told>,
     (figure, size): (Figure, [f64; 2]),
     caption: Text,
 ) {
+    let told = told.into();
     let is_plane = |panel: &Panel| matches!(panel.frame, Frame::Plane { .. });
     let (rows, in_part) = (figure.rows(), ROWS * figure.columns.max(1));
     if rows <= ROWS || !figure.panels.iter().all(is_plane) {
@@ -93,20 +113,22 @@ pub(super) fn show(
     for panels in figure.panels.chunks(in_part) {
         let part = Figure { panels: panels.to_vec(), ..figure.clone() };
         let size = [size[0], size[1] * part.rows() as f64 / rows as f64];
-        show_frames(page, told, (vec![part], size), caption.clone());
+        show_frames(page, told.clone(), (vec![part], size), caption.clone());
     }
 }
 
 /// The same of a figure that moves on a screen.
 pub(super) fn show_frames(
     page: &mut Document,
-    told: &'static str,
+    told: impl Into<Told>,
     (frames, size): (Vec<Figure>, [f64; 2]),
     caption: Text,
 ) {
     if frames.first().is_some_and(|first| !first.panels.iter().all(is_zero)) {
         let before = page.blocks.iter().filter(|block| matches!(block, Block::Figure { .. })).count();
-        page.paragraph(Text::message(told, vec![("figure", number(before + 1))]));
+        let Told(id, mut values) = told.into();
+        values.push(("figure", number(before + 1)));
+        page.paragraph(Text::message(id, values));
         page.blocks.push(Block::Figure { frames, size, caption });
     }
 }

@@ -2,21 +2,25 @@
 //! reactions, the balancing load.
 
 use assur_analysis::results::Owner;
-use assur_book::{Document, Table, Unit, catalogue};
+use assur_book::{Block, Document, Table, Unit, catalogue};
 use assur_diagram::PlanVector;
 use assur_figure::{Figure, Ink, Panel, Stroke};
 use assur_force::{Construction, ConstructionStep, VectorKind};
+use assur_mechanism::{Friction, LinkId, Load, LoadKind, Surfaces};
 use assur_picture::forces::{self, beside_friction};
-use assur_picture::{Look, Reaction, Series, ViewPart, curves, plans, plots, polygons};
+use assur_picture::{Look, Reaction, Series, ViewPart, assembly, curves, plans, plots, polygons};
 use assur_report::topic;
-use assur_words::{Text, list, measured, number, text, unit};
+use assur_words::{Text, list, measured, name, number, text, unit};
 
-use crate::context::{Context, on_paper, show, still};
+use crate::context::{Context, Told, on_paper, show, still};
 use crate::formula::Finds;
 
 /// Page of two polygons, and of a curve beside its hodograph, mm.
 const POLYGONS: [f64; 2] = [165.0, 150.0];
 const CURVE: [f64; 2] = [165.0, 85.0];
+/// Page of two calculation schemes, and of the lever, mm.
+const SCHEMES: [f64; 2] = [165.0, 110.0];
+const LEVER: [f64; 2] = [150.0, 120.0];
 /// Loads in one figure.
 const MOST_LOADS: usize = 4;
 /// Pairs with friction in one figure.
@@ -37,15 +41,36 @@ pub(super) fn forces(context: &Context<'_>, page: &mut Document) {
     }
     let drawn = loads(context);
     let size = [CURVE[0], 25.0 + 35.0 * drawn.rows() as f64];
-    show(page, "note-see-loads", (drawn, size), text!("note-loads-drawn"));
+    let is_spring = |load: &Load| matches!(load.kind, LoadKind::Spring(_));
+    let has_spring = context.results.linkage.mechanism.loads.iter().any(is_spring);
+    let caption = if has_spring { "note-loads-drawn-with-spring" } else { "note-loads-drawn" };
+    let caption = Text::message(caption, vec![("over", context.over())]);
+    show(page, context.told("note-see-loads"), (drawn, size), caption);
     context.tell(page, &[topic::inertia_loads]);
     polygons(context, page);
+    lever(context, page);
     construction(context, page);
-    context
-        .tell(page, &[topic::reactions_at_positions, topic::balancing_at_positions, topic::friction_tables]);
+    context.tell(page, &[topic::reactions_at_positions, topic::balancing_at_positions]);
+    friction(context, page);
     context.formulas.refer(page, Finds::Forces);
     touching(context, page);
     over_cycle(context, page);
+}
+
+/// The formulas of friction before its tables, of which that of efficiency and self-locking has its own title here.
+fn friction(context: &Context<'_>, page: &mut Document) {
+    if context.found.analysis.friction.is_none() {
+        return;
+    }
+    let [moment, force] = ["M", "F"].map(|letter| name(letter).below(name("f")));
+    page.paragraph(text!("note-friction-formulas", moment, force));
+    let before = page.blocks.len();
+    context.tell(page, &[topic::friction_tables]);
+    for block in &mut page.blocks[before..] {
+        if let Block::Facts { caption, .. } = block {
+            *caption = text!("note-friction-facts");
+        }
+    }
 }
 
 /// The reactions of the pairs with friction in the first of the chosen positions, touching the circles of friction.
@@ -53,6 +78,14 @@ fn touching(context: &Context<'_>, page: &mut Document) {
     let (found, position) = (context.found, context.positions[0]);
     let of = |reaction| beside_friction(found, position, reaction);
     let panels: Vec<Panel> = found.reactions.iter().filter_map(of).take(MOST_CIRCLES).collect();
+    if panels.is_empty() {
+        return;
+    }
+    page.paragraph(text!("note-friction-touches"));
+    let is_on_ends = |friction: &Friction| matches!(friction.surfaces, Surfaces::Faces { .. });
+    if found.linkage.mechanism.frictions.iter().any(is_on_ends) {
+        page.paragraph(text!("note-friction-on-ends"));
+    }
     let figure = Figure { panels, columns: 2, ..Figure::default() };
     let size = [CURVE[0], 58.0 * figure.rows() as f64];
     let caption = text!("note-friction-drawn", place = context.place(position));
@@ -93,12 +126,36 @@ fn polygons(context: &Context<'_>, page: &mut Document) {
         let plan = plan.sheet.as_ref().ok().and_then(|sheet| sheet.polygons.get(polygon));
         let Some(title) = plan.map(|plan| &plan.title).filter(|_| !vectors.is_empty()) else { continue };
         if std::mem::take(&mut is_first) {
-            page.paragraph(text!("note-forces-polygons"));
+            let has_inner = vectors.iter().any(|(.., item)| item.kind == VectorKind::Inner);
+            let told = if has_inner { "note-forces-polygons-inner" } else { "note-forces-polygons" };
+            page.paragraph(text!(told));
         }
+        loaded(context, page, links);
         let caption = text!("note-force-polygon", title, place = context.places());
         show(page, "note-see-polygon", (context.beside(drawn), POLYGONS), caption);
         page.table(table_of(vectors, text!("note-polygon-vectors", title)));
     }
+}
+
+/// The calculation scheme of some links: they alone, with their loads and the reactions of the others, in the chosen positions.
+fn loaded(context: &Context<'_>, page: &mut Document, links: &[LinkId]) {
+    let results = context.results;
+    let drawn = context.beside(|look| assembly::loaded(results, look.position, links));
+    let names = list(links.iter().map(|link| Text::from(&results.linkage.mechanism.links[*link].name)));
+    let of = text!("note-links", count = links.len(), links = names);
+    let caption = text!("note-loaded", of = &of, place = context.places());
+    show(page, Told("note-see-loaded", vec![("of", of)]), (drawn, SCHEMES), caption);
+}
+
+/// Zhukovsky's lever in the first of the chosen positions, unless the construction of the force analyzer is drawn with its own.
+fn lever(context: &Context<'_>, page: &mut Document) {
+    let plans = context.found.plans.at(context.positions[0]);
+    if plans.constructions.iter().any(|(method, _)| *method == context.found.analyzer) {
+        return;
+    }
+    let look = Look { alone: true, ..context.first() };
+    let caption = text!("note-lever", place = context.place(context.positions[0]));
+    show(page, "note-see-lever", (on_paper(plans::lever(context.results, &look)), LEVER), caption);
 }
 
 /// A vector of a position with its symbol.
@@ -139,16 +196,21 @@ fn over_cycle(context: &Context<'_>, page: &mut Document) {
     // All of them together, as L fig. 2 has them.
     for picked in moduli.chunks(MOST_REACTIONS) {
         let together = curves::with_legend(results, &Look { picked, ..context.first() });
-        let caption = context.with_legend(text!("note-reactions-drawn"));
-        show(page, "note-see-reactions", (on_paper(together), CURVE), caption);
+        let caption = context.with_legend(text!("note-reactions-drawn", over = context.over()));
+        show(page, context.told("note-see-reactions"), (on_paper(together), CURVE), caption);
     }
     let all = [
-        (most, ViewPart::Overview, "note-see-hodograph", text!("note-reaction-curve", of)),
+        (
+            most,
+            ViewPart::Overview,
+            Told::from("note-see-hodograph"),
+            text!("note-reaction-curve", over = context.over(), of),
+        ),
         (
             balancing,
             ViewPart::Curves,
-            "note-see-balancing",
-            list([Some(text!("note-balancing-curve")), symbol].into_iter().flatten()),
+            context.told("note-see-balancing"),
+            list([Some(text!("note-balancing-curve", over = context.over())), symbol].into_iter().flatten()),
         ),
     ];
     for (index, part, told, caption) in all {

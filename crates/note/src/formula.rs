@@ -3,9 +3,11 @@
 use std::cell::RefCell;
 
 use assur_book::{Block, Document, Term};
+use assur_mechanism::FlywheelPlace;
+use assur_motor::Characteristic;
 use assur_words::{Describe, Text, number, text};
 use assur_working::{WorkingError, digits_told};
-use assur_worksheet::{Entry, Section};
+use assur_worksheet::{Entry, Expr, Names, Section, Sheet, Symbol, Units};
 
 use crate::context::Context;
 use crate::working;
@@ -56,7 +58,7 @@ impl Formulas {
     }
 
     /// Writes the paragraphs; one whose formulas are not in the note goes.
-    pub(super) fn resolve(&self, page: &mut Document, position: usize) {
+    pub(super) fn resolve(&self, page: &mut Document, position: usize, has_friction: bool) {
         for (at, finds) in self.wanted.take().into_iter().rev() {
             let found = self.found.borrow();
             let mut numbers = found.iter().filter(|(_, own)| *own == finds).map(|(number, _)| *number);
@@ -67,6 +69,7 @@ impl Formulas {
             };
             let id = match finds {
                 Finds::Motion => "note-formulas-of-motion",
+                Finds::Forces if has_friction => "note-formulas-of-forces-with-friction",
                 Finds::Forces => "note-formulas-of-forces",
             };
             let [position, first, last] = [position, first, last].map(number);
@@ -79,7 +82,9 @@ impl Formulas {
 pub(super) fn working(context: &Context<'_>, page: &mut Document) -> Result<(), Text> {
     let position = context.positions[0];
     let working = working::of_position(context.found.plans.calculation(), position);
-    page.heading(text!("note-working", position = number(position)));
+    let is_instant = context.results.samples().is_some();
+    let heading = if is_instant { "note-working-of-instant" } else { "note-working" };
+    page.heading(Text::message(heading, vec![("position", number(position))]));
     page.paragraph(text!("note-working-text", position = number(position)));
     let sections = match working {
         Ok(working) => working.sections,
@@ -103,6 +108,71 @@ pub(super) fn energy(context: &Context<'_>, page: &mut Document) {
             add(context, section, page);
         }
     }
+}
+
+/// The moment of the motor by Kloss's formula and the inertia of the drive, both reduced to the input, in the first of the chosen
+/// positions; nothing without such a motor.
+pub(super) fn drive(context: &Context<'_>, page: &mut Document) {
+    let Some(sheet) = drive_sheet(context) else { return };
+    for section in &sheet.sections {
+        add(context, section, page);
+    }
+}
+
+fn drive_sheet(context: &Context<'_>) -> Option<Sheet> {
+    let (calculation, position) = (context.found.plans.calculation(), context.positions[0]);
+    let mechanism = &calculation.linkage.mechanism;
+    let found = context.found.analysis.dynamics.as_ref()?;
+    let (motor, drive) = (found.motor.as_ref()?, mechanism.drive.as_ref()?);
+    let state = calculation.state(mechanism.input.coordinate(position));
+    let [moment, inertia] = calculation.drive_in(&state)?;
+    let mut sheet = Sheet::new(Names::default(), Units::ANGULAR);
+    sheet.section(text!("note-drive-formulas", position = number(position)));
+    sheet.note(text!("note-drive-text"));
+    let speed = sheet.given("ω", state.speed.abs(), "rad/s", text!("note-drive-speed"));
+    let ratio = sheet.given("u", found.figures.ratio?, "", text!("fact-gear-ratio"));
+    let own = kloss(&mut sheet, &motor.work.characteristic, &(&ratio * speed))?;
+    let efficiency = sheet.given("η", drive.efficiency, "", text!("note-drive-efficiency"));
+    let drives = own.value() >= 0.0;
+    let reduced = if drives { own * &ratio * efficiency } else { own * &ratio / efficiency };
+    let reduced = sheet.work(of_drive("M"), &reduced, "N·m");
+    let flywheel = found.flywheel.filter(|flywheel| *flywheel > 0.0);
+    let flywheel = match flywheel {
+        Some(own) => sheet.given(Symbol::from("J").of("f"), own, "kg·m²", text!("note-drive-flywheel")),
+        None => Expr::zero(),
+    };
+    let rotor = motor.motor.rotor_inertia.unwrap_or(0.0);
+    let rotor = sheet.given(Symbol::from("J").of("r"), rotor, "kg·m²", text!("note-drive-rotor"));
+    let on_motor = drive.flywheel_on == FlywheelPlace::Motor;
+    let square = ratio.squared();
+    let own = if on_motor { (flywheel + rotor) * square } else { flywheel + rotor * square };
+    let own = sheet.work(of_drive("J"), &own, "kg·m²");
+    // What the formulas give is shown only where it is what the regime has.
+    (is_near(reduced.value(), moment.abs()) && is_near(own.value(), inertia)).then_some(sheet)
+}
+
+/// The torque of a motor at its speed by Kloss's formula; `None` where its characteristic is a straight line.
+fn kloss(sheet: &mut Sheet, characteristic: &Characteristic, speed: &Expr) -> Option<Expr> {
+    let of = |letter: &'static str, below: &'static str| Symbol::from(letter).of(below);
+    let synchronous = characteristic.synchronous_speed;
+    let synchronous = sheet.given(of("ω", "0"), synchronous, "rad/s", text!("note-drive-synchronous"));
+    let slip = sheet.work("s", &((&synchronous - speed) / &synchronous), "");
+    let most = characteristic.breakdown_torque?;
+    let most = sheet.given(of("M", "k"), most, "N·m", text!("note-drive-breakdown"));
+    let critical = characteristic.critical_slip?;
+    let critical = sheet.given(of("s", "k"), critical, "", text!("note-drive-critical-slip"));
+    let torque = Expr::number(2.0) * most / (&slip / &critical + &critical / &slip);
+    Some(sheet.work("M", &torque, "N·m"))
+}
+
+fn of_drive(letter: &'static str) -> Symbol {
+    Symbol::from(letter).of(text!("working-of-drive"))
+}
+
+/// Whether two numbers are one but for rounding in the solution of the regime.
+fn is_near(one: f64, other: f64) -> bool {
+    const ROUNDING: f64 = 1e-6;
+    (one - other).abs() <= ROUNDING * other.abs()
 }
 
 fn add(context: &Context<'_>, section: &Section, page: &mut Document) {

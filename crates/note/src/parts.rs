@@ -7,7 +7,7 @@ use assur_report::topic;
 use assur_scene::Chapter;
 use assur_words::{Text, joined, list, name, number, text, unit};
 
-use crate::context::{Context, is_zero, look, on_paper, show, show_frames};
+use crate::context::{Context, Told, is_zero, look, on_paper, show, show_frames};
 use crate::formula::Finds;
 use crate::{conclusions, forces, formula, symbols};
 
@@ -28,8 +28,9 @@ const LINK: [f64; 2] = [165.0, 75.0];
 const PLACES: [f64; 2] = [165.0, 90.0];
 /// Width of the assembly and height of a row of its panels, mm.
 const PANELS: [f64; 2] = [165.0, 85.0];
-/// Positions over each other.
+/// Positions over each other, of a cycle, and of a motion over a part of one.
 const OVER: usize = 12;
+const OVER_PART: usize = 7;
 
 /// Writes a part of the note.
 type Part = fn(&Context<'_>, &mut Document);
@@ -65,7 +66,8 @@ pub(super) fn document(context: &Context<'_>) -> Result<Document, Text> {
     for (_, part) in parts.iter().filter(|(chapter, _)| context.note.has(*chapter)) {
         part(context, &mut page);
     }
-    context.formulas.resolve(&mut page, context.positions[0]);
+    let has_friction = context.found.analysis.friction.is_some();
+    context.formulas.resolve(&mut page, context.positions[0], has_friction);
     Ok(page)
 }
 
@@ -98,7 +100,7 @@ fn curves(context: &Context<'_>, page: &mut Document) -> Result<(), Text> {
         let picked: Vec<String> = names.iter().map(column).collect::<Result<_, _>>()?;
         let figure = curves::with_legend(context.results, &Look { picked: &picked, ..context.first() });
         let titles = picked.iter().filter_map(|short| context.results.named(short)).map(Series::title);
-        let caption = text!("note-curves-of", of = list(titles));
+        let caption = text!("note-curves-of", over = context.over(), of = list(titles));
         show(page, "note-see-curves", (on_paper(figure), CURVES), caption);
     }
     Ok(())
@@ -121,6 +123,9 @@ fn task(context: &Context<'_>, page: &mut Document) {
     page.heading(text!("report-task"));
     page.blocks.extend(context.note.task.clone().map(Block::Paragraph));
     page.paragraph(topic::task_text(&context.source()));
+    if context.results.samples().is_some() {
+        page.paragraph(text!("note-instants", places = context.places()));
+    }
     context.tell(page, &[topic::dimensions, topic::loads_given, topic::motion_given]);
     let results = context.results;
     let frame = |position| on_paper(mechanism::figure(results, &look(position), &[]));
@@ -128,10 +133,20 @@ fn task(context: &Context<'_>, page: &mut Document) {
     let frames: Vec<_> = frames.collect();
     let caption = text!("note-mechanism-moving", at = context.place(results.first_position()));
     show_frames(page, "note-see-mechanism", (frames, MECHANISM), caption);
-    let others: Vec<usize> = (0..OVER).map(|at| at * results.positions() / OVER).collect();
+    let others = evenly(results.positions(), results.is_cycle());
     let over = on_paper(assembly::positions(results, &others, context.positions[0]));
     let caption = text!("note-all-positions", place = context.place(context.positions[0]));
-    show(page, "note-see-all-positions", (over, OVERLAID), caption);
+    show(page, context.told("note-see-all-positions"), (over, OVERLAID), caption);
+}
+
+/// The positions that are drawn over each other; of a motion that doesn't return to its first one, with the last.
+fn evenly(count: usize, is_cycle: bool) -> Vec<usize> {
+    let most = if is_cycle { OVER } else { OVER_PART };
+    if count <= most {
+        return (0..count).collect();
+    }
+    let (steps, parts) = if is_cycle { (count, most) } else { (count - 1, most - 1) };
+    (0..most).map(|at| at * steps / parts).collect()
 }
 
 /// Mobility, pairs, groups, and the mechanism assembled group by group.
@@ -140,8 +155,13 @@ fn structure(context: &Context<'_>, page: &mut Document) {
     context.tell(page, &[topic::mobility, topic::pairs, topic::groups]);
     let figure = on_paper(assembly::groups(context.results, context.positions[0]));
     let size = [PANELS[0], PANELS[1] * figure.rows() as f64];
-    let caption = text!("note-assembly", place = context.place(context.positions[0]));
-    show(page, "note-see-assembly", (figure, size), caption);
+    let place = context.place(context.positions[0]);
+    let (told, what) = if context.results.linkage.structure.groups.is_empty() {
+        ("note-see-input-link", text!("note-input-apart"))
+    } else {
+        ("note-see-assembly", text!("note-parts-apart"))
+    };
+    show(page, told, (figure, size), text!("note-assembly", what, place));
 }
 
 /// The mechanism and its plans in the chosen positions, tables of rates, curves of the last quantity.
@@ -171,9 +191,16 @@ fn kinematics(context: &Context<'_>, page: &mut Document) {
     let transfer = results.transfers.len().saturating_sub(1);
     let curves = curves::figure(results, &Look { transfer, ..context.first() });
     let of = &curves.title;
-    let caption =
-        if results.linkage.kind().is_time() { text!("note-course", of) } else { text!("note-transfer", of) };
-    show(page, "note-see-transfer", (on_paper(curves), TRANSFER), caption);
+    let is_time = results.linkage.kind().is_time();
+    let caption = if is_time { text!("note-course", of) } else { text!("note-transfer", of) };
+    let told = match results.transfers.last().map(|transfer| transfer.owner) {
+        _ if is_time => "note-see-course-of",
+        Some(Owner::Slide(_)) => "note-see-displacement",
+        Some(Owner::Link(_)) => "note-see-angle",
+        _ => "note-see-transfer",
+    };
+    let told = Told(told, vec![("over", context.over()), ("of", of.clone())]);
+    show(page, told, (on_paper(curves), TRANSFER), caption);
 }
 
 /// Numbers, iteration and curves of the regime; curves of the motion where there is no regime.
@@ -212,6 +239,7 @@ fn dynamics(context: &Context<'_>, page: &mut Document) {
     // The last panel repeats the moments.
     let mut drive = of_drive(ViewPart::Curves);
     drive.panels.pop();
+    formula::drive(context, page);
     show(page, "note-see-characteristic", (drive, CURVES), text!("note-characteristic"));
     let places = (of_drive(ViewPart::Places), PLACES);
     show(page, "note-see-places", places, text!("note-places-drawn"));

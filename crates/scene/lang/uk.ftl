@@ -265,9 +265,9 @@ scene-large-efficiency = `efficiency` більший за 0 і щонайбіл�
 scene-drive-without-motion = [drive] потребує руху виду "transient" або "steady", а в сцені руху немає
 scene-drive-of-prescribed = [drive] потребує руху виду "transient" або "steady", а цей — "prescribed"
 scene-kept-by-balance = заданий рух підтримує зрівноважувальне навантаження
-scene-key-of-motor = `{ $key }` стосується двигуна, а в привода його немає
+scene-key-of-motor = `{ $key }` стосується двигуна, а у приводу його немає
 scene-add-motor = додайте `motor = ...` або приберіть
-scene-flywheel-on-no-motor = маховик на двигуні, а в привода двигуна немає
+scene-flywheel-on-no-motor = маховик на двигуні, а у приводу двигуна немає
 scene-no-flywheel = `flywheel_on` без `flywheel`
 scene-add-flywheel = додайте `flywheel = "solve"` або момент інерції
 scene-input-slides = `{ $key }` потребує обертальної вхідної ланки, а ця поступальна

@@ -93,11 +93,11 @@ working-reduction = Reduction to the input link
 working-reduced-inertia = J: twice the kinetic energy of the links for ω = 1; J′: its derivative with respect to q
 working-reduced-moment = Q: power of all loads but that of the drive for ω = 1, link by link
 working-equation = Equation of motion
-working-driving-moment = of the drive at this speed, on the input link
-working-inertia-of-drive = flywheel and rotor, reduced to the input link
+working-driving-moment = moment of the drive at this speed, on the input link
+working-inertia-of-drive = inertia of flywheel and rotor, reduced to the input link
 working-check-by-drive = Check by the drive
 working-what-the-drive-gives = The drive gives the balancing load, and accelerates flywheel and rotor:
-working-must-be = It must be { $quantity } above.
+working-must-be = This must equal { $quantity } above.
 
 # Reactions.
 working-no-balancing = The balancing load does no work in this position: it is not determined.
@@ -107,7 +107,7 @@ working-balancing-load = Balancing load, from powers
 working-unit-power = p is the power of a balancing load of 1 for dq = 1; its size makes the sum of powers zero
 working-balancing-direction = direction of the balancing force
 working-check-by-power = Check by virtual power
-working-whole-power = W: power of all loads and inertia loads for dq = 1, link by link; no reaction does work
+working-whole-power = P: power of all loads and inertia loads for dq = 1, link by link; no reaction does work
 working-driven = Input: pair { $pair }
 working-driven-angle = q is the angle of { $link } minus that of { $on }
 working-driven-displacement = q is the displacement of { $link } along the guide on { $on }
@@ -117,9 +117,9 @@ working-moments-about = moments about { $point }:
 
 # The working of a force analyzer.
 working-of-analyzer = working of a force analyzer
-working-by-method = Forces by `{ $method }`
+working-by-method = Forces found { $method }
 working-no-method = This method has no solution in this position.
-working-method-and-groups = Check: `{ $method }` against the groups
+working-method-and-groups = Check: forces found { $method }, against those by the groups
 working-differences = What the method gives minus what was found group by group: zero except for rounding.
 # The energy form.
 working-energy-way = Displacement of the input
@@ -161,10 +161,15 @@ working-friction-normal = |N| in { $pair }
 working-friction-end = |N| at end { $end } of { $pair }
 working-friction-of = friction in { $pair }, found above
 working-friction-along = component of the direction of the guide
-working-to-point = (E eqs. 4-6) The same reduced to the point { $point } of the input link, whose velocity is r ω: one force along it with the power of Q, and one mass there with the energy of J.
+working-to-point = (E eqs. 4-6) The same reduced to the point { $point } of the input link, whose velocity is r ω: one force along the velocity, F = Q/r, and the mass at this point, m = J/r².
 working-energy-uniform = Uniformly accelerated motion (D eqs. 3.12, 3.13)
 working-energy-speed-at-start = speed at the start
 working-energy-speed-at-end = speed at the end
 working-energy-by-time = (3.12) ω = ε t + { $speed }, from which the time:
 working-energy-way-by-time = (3.13) The displacement in this time, from the start on:
 working-energy-balance-resists = Constant moment of the resistance
+working-friction-reaction = reaction in { $pair }, found above
+working-friction-pressing = normal force in { $pair }, found above
+working-friction-pressing-ends = |N₁| + |N₂| on both ends of { $pair }, found above
+working-brake-lever = ratio of the lever
+working-brake-force = force on the lever

@@ -93,11 +93,11 @@ working-reduction = Приведение к входному звену
 working-reduced-inertia = J — удвоенная кинетическая энергия звеньев при ω = 1; J′ — её производная по q
 working-reduced-moment = Q — мощность всех нагрузок, кроме движущей, при ω = 1, звено за звеном
 working-equation = Уравнение движения
-working-driving-moment = привода при этой скорости, на входном звене
-working-inertia-of-drive = маховика и ротора, приведённый к входному звену
+working-driving-moment = момент привода при этой скорости, на входном звене
+working-inertia-of-drive = момент инерции маховика и ротора, приведённый к входному звену
 working-check-by-drive = Проверка по приводу
 working-what-the-drive-gives = Привод даёт уравновешивающую нагрузку и разгоняет маховик и ротор:
-working-must-be = Должно равняться { $quantity } выше.
+working-must-be = Должно равняться найденному выше { $quantity }.
 
 # Реакции.
 working-no-balancing = В этом положении уравновешивающая нагрузка не совершает работы: она не определена.
@@ -107,19 +107,19 @@ working-balancing-load = Уравновешивающая нагрузка из 
 working-unit-power = p — мощность единичной уравновешивающей нагрузки при dq = 1; её величина делает сумму мощностей нулевой
 working-balancing-direction = направление уравновешивающей силы
 working-check-by-power = Проверка по виртуальной мощности
-working-whole-power = W — мощность всех нагрузок и сил инерции при dq = 1, звено за звеном; реакции работы не совершают
+working-whole-power = P — мощность всех нагрузок и сил инерции при dq = 1, звено за звеном; реакции работы не совершают
 working-driven = Вход: пара { $pair }
-working-driven-angle = q — угол { $link } минус угол { $on }
-working-driven-displacement = q — перемещение { $link } вдоль направляющей на { $on }
+working-driven-angle = q — угол звена «{ $link }» минус угол звена «{ $on }»
+working-driven-displacement = q — перемещение звена «{ $link }» вдоль направляющей на звене «{ $on }»
 working-follows-coordinate = пара { $pair } ведущая: ее движение — q, производные 1 и 0
 working-input-forces = Входное звено «{ $link }»: реакция и уравновешивающая нагрузка
 working-moments-about = моменты относительно { $point }:
 
 # The working of a force analyzer.
 working-of-analyzer = расчёт по силовому методу
-working-by-method = Силы по методу `{ $method }`
+working-by-method = Силы, найденные { $method }
 working-no-method = В этом положении метод решения не имеет.
-working-method-and-groups = Проверка: `{ $method }` и группы
+working-method-and-groups = Проверка: силы, найденные { $method }, и силы по группам
 working-differences = То, что даёт метод, минус найденное по группам: нуль, кроме округления.
 # Уравнение движения в форме кинетической энергии.
 working-energy-way = Ход входного звена
@@ -156,15 +156,20 @@ working-friction-block-not-proved = { $what }: спектральный ради
 working-friction-step = шаг { $step }: { $moduli }
 working-friction-newton = решение: { $moduli }
 working-friction-modulus = { $name } = { $value }
-working-friction-pin = |R| в { $pair } на { $link }
-working-friction-normal = |N| в { $pair }
+working-friction-pin = |R| в паре { $pair } на звено «{ $link }»
+working-friction-normal = |N| в паре { $pair }
 working-friction-end = |N| на конце { $end } пары { $pair }
-working-friction-of = трение в { $pair }, найденное выше
+working-friction-of = трение в паре { $pair }, найденное выше
 working-friction-along = составляющая направления направляющей
-working-to-point = (E, уравнения 4–6) То же, приведённое к точке { $point } входного звена, скорость которой r ω: одна сила вдоль неё с мощностью Q и одна масса в ней с энергией J.
+working-to-point = (E, уравнения 4–6) То же, приведённое к точке { $point } входного звена, скорость которой r ω: одна сила вдоль скорости, F = Q/r, и масса в этой точке, m = J/r².
 working-energy-uniform = Равноускоренное движение (D, уравнения 3.12, 3.13)
 working-energy-speed-at-start = скорость в начале
 working-energy-speed-at-end = скорость в конце
 working-energy-by-time = (3.12) ω = ε t + { $speed }, откуда время:
 working-energy-way-by-time = (3.13) Путь за это время, от начала:
 working-energy-balance-resists = Постоянный момент сопротивления
+working-friction-reaction = реакция в паре { $pair }, найденная выше
+working-friction-pressing = нормальная сила в паре { $pair }, найденная выше
+working-friction-pressing-ends = |N₁| + |N₂| на обоих концах пары { $pair }, найдено выше
+working-brake-lever = отношение плеч рычага
+working-brake-force = сила на рычаге

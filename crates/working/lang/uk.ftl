@@ -93,11 +93,11 @@ working-reduction = Зведення до вхідної ланки
 working-reduced-inertia = J — подвоєна кінетична енергія ланок за ω = 1; J′ — її похідна за q
 working-reduced-moment = Q — потужність усіх навантажень, крім рушійного, за ω = 1, ланка за ланкою
 working-equation = Рівняння руху
-working-driving-moment = привода за цієї швидкості, на вхідній ланці
-working-inertia-of-drive = маховика й ротора, зведений до вхідної ланки
+working-driving-moment = момент приводу за цієї швидкості, на вхідній ланці
+working-inertia-of-drive = момент інерції маховика й ротора, зведений до вхідної ланки
 working-check-by-drive = Перевірка за приводом
 working-what-the-drive-gives = Привод дає зрівноважувальне навантаження і розганяє маховик та ротор:
-working-must-be = Має дорівнювати { $quantity } вище.
+working-must-be = Має дорівнювати знайденому вище { $quantity }.
 
 # Реакції.
 working-no-balancing = У цьому положенні зрівноважувальне навантаження не виконує роботи: його не визначено.
@@ -107,19 +107,19 @@ working-balancing-load = Зрівноважувальне навантаженн
 working-unit-power = p — потужність одиничного зрівноважувального навантаження за dq = 1; його величина робить суму потужностей нульовою
 working-balancing-direction = напрям зрівноважувальної сили
 working-check-by-power = Перевірка за віртуальною потужністю
-working-whole-power = W — потужність усіх навантажень і сил інерції за dq = 1, ланка за ланкою; реакції роботи не виконують
+working-whole-power = P — потужність усіх навантажень і сил інерції за dq = 1, ланка за ланкою; реакції роботи не виконують
 working-driven = Вхід: пара { $pair }
-working-driven-angle = q — кут { $link } мінус кут { $on }
-working-driven-displacement = q — переміщення { $link } уздовж напрямної на { $on }
+working-driven-angle = q — кут ланки «{ $link }» мінус кут ланки «{ $on }»
+working-driven-displacement = q — переміщення ланки «{ $link }» уздовж напрямної на ланці «{ $on }»
 working-follows-coordinate = пара { $pair } ведуча: її рух — q, похідні 1 і 0
 working-input-forces = Вхідна ланка «{ $link }»: реакція та зрівноважувальне навантаження
 working-moments-about = моменти відносно { $point }:
 
 # The working of a force analyzer.
 working-of-analyzer = розрахунок за силовим методом
-working-by-method = Сили за методом `{ $method }`
+working-by-method = Сили, знайдені { $method }
 working-no-method = У цьому положенні метод розв’язку не має.
-working-method-and-groups = Перевірка: `{ $method }` і групи
+working-method-and-groups = Перевірка: сили, знайдені { $method }, і сили за групами
 working-differences = Те, що дає метод, мінус знайдене за групами: нуль, крім округлення.
 # Рівняння руху у формі кінетичної енергії.
 working-energy-way = Хід вхідної ланки
@@ -156,15 +156,20 @@ working-friction-block-not-proved = { $what }: спектральний раді
 working-friction-step = крок { $step }: { $moduli }
 working-friction-newton = розв'язок: { $moduli }
 working-friction-modulus = { $name } = { $value }
-working-friction-pin = |R| у { $pair } на { $link }
-working-friction-normal = |N| у { $pair }
+working-friction-pin = |R| у парі { $pair } на ланку «{ $link }»
+working-friction-normal = |N| у парі { $pair }
 working-friction-end = |N| на кінці { $end } пари { $pair }
-working-friction-of = тертя в { $pair }, знайдене вище
+working-friction-of = тертя в парі { $pair }, знайдене вище
 working-friction-along = складова напрямку напрямної
-working-to-point = (E, рівняння 4–6) Те саме, зведене до точки { $point } вхідної ланки, швидкість якої r ω: одна сила вздовж неї з потужністю Q і одна маса в ній з енергією J.
+working-to-point = (E, рівняння 4–6) Те саме, зведене до точки { $point } вхідної ланки, швидкість якої r ω: одна сила вздовж швидкості, F = Q/r, і маса в цій точці, m = J/r².
 working-energy-uniform = Рівноприскорений рух (D, рівняння 3.12, 3.13)
 working-energy-speed-at-start = швидкість на початку
 working-energy-speed-at-end = швидкість у кінці
 working-energy-by-time = (3.12) ω = ε t + { $speed }, звідки час:
 working-energy-way-by-time = (3.13) Шлях за цей час, від початку:
 working-energy-balance-resists = Сталий момент опору
+working-friction-reaction = реакція в парі { $pair }, знайдена вище
+working-friction-pressing = нормальна сила в парі { $pair }, знайдена вище
+working-friction-pressing-ends = |N₁| + |N₂| на обох кінцях пари { $pair }, знайдено вище
+working-brake-lever = відношення плечей важеля
+working-brake-force = сила на важелі

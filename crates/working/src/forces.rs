@@ -67,7 +67,7 @@ impl Work<'_> {
         UnitBalance::of(mechanism)?;
         let balance = mechanism.balance?;
         self.sheet.section(text!("working-balancing-load"));
-        let power = self.total_power("W");
+        let power = self.total_power("P");
         self.sheet.note(text!("working-unit-power"));
         match balance {
             Balance::Moment(link) => {
@@ -102,7 +102,7 @@ impl Work<'_> {
     fn virtual_power(&mut self) {
         self.sheet.section(text!("working-check-by-power"));
         self.sheet.note(text!("working-whole-power"));
-        let power = self.total_power("W");
+        let power = self.total_power("P");
         let symbol = self.balancing_at_input();
         self.sheet.work(symbol.clone().of(text!("working-by-power")), &-power, self.sheet.units.moment);
         self.sheet.note(text!("working-must-be", quantity = &symbol));

@@ -1,7 +1,7 @@
 //! Dry friction of this position: the iteration of the textbooks, and the loads to which it leads.
 
 use assur_force::{Bearing, FrictionIteration, Kinetostatics, Loads, UnknownKind};
-use assur_group::plane::{dot, minus, perp};
+use assur_group::plane::{dot, length, minus, perp};
 use assur_kinematics::Position;
 use assur_mechanism::{GROUND, Mechanism, PairId, Surfaces};
 use assur_words::{Text, joined, number, quantity, text};
@@ -45,7 +45,8 @@ impl Work<'_> {
                 [x + sign * one.fx, y + sign * one.fy]
             });
             let normal = if bearing.slides() { dot(on_link, perp(bearing.along(self.bodies))) } else { 0.0 };
-            self.friction_loads(bearing, *force, -sense * bearing.coefficient * normal);
+            let pressing = if bearing.slides() { normal.abs() } else { length(on_link) };
+            self.friction_loads(bearing, (*force, pressing), -sense * bearing.coefficient * normal);
         }
         true
     }
@@ -83,26 +84,57 @@ impl Work<'_> {
         }
     }
 
+    /// Writes the friction of a pair, of this value: f r R of a pin, f N of a slide; `pressing`: R or N.
+    fn friction_of(&mut self, bearing: &Bearing, of: &Text, (value, pressing): (f64, f64)) -> Expr {
+        /// Of a pair that is at rest friction is what holds it, not what the formula gives.
+        const SAME: f64 = 1e-9;
+        let tag = Symbol::from(of.clone()).of(self.sheet.body_name(bearing.link));
+        let (letter, unit) = if bearing.slides() { ("F", "N") } else { ("M", "N·m") };
+        let symbol = Symbol::from(letter).of("f").of(tag.clone());
+        let coefficient = bearing.coefficient;
+        let (radius, pressing, what) = match bearing.surfaces {
+            Surfaces::Journal { radius, .. } => (radius, pressing, "working-friction-reaction"),
+            Surfaces::Place => (1.0, pressing, "working-friction-pressing"),
+            Surfaces::Faces { .. } => (1.0, value.abs() / coefficient, "working-friction-pressing-ends"),
+        };
+        let by_formula = coefficient * radius * pressing;
+        let is_same = (by_formula - value.abs()).abs() <= SAME * value.abs();
+        if !is_same {
+            return self.sheet.given(symbol, value, unit, text!("working-friction-of", pair = of));
+        }
+        let f = Symbol::from("f").of(of.clone());
+        let f = self.sheet.given(f, coefficient, "", text!("working-friction"));
+        let what = Text::message(what, vec![("pair", of.clone())]);
+        let size = if bearing.slides() {
+            let normal = self.sheet.given(Symbol::from("N").of(tag), pressing, "N", what);
+            f * normal
+        } else {
+            let r = Symbol::from("r").of(of.clone());
+            let r = self.sheet.given(r, radius, "m", text!("working-radius"));
+            let circle = self.sheet.work(Symbol::from("ρ").of(of.clone()), &(f * r), "m");
+            let reaction = self.sheet.given(Symbol::from("R").of(tag), pressing, "N", what);
+            circle * reaction
+        };
+        self.sheet.work(symbol, &if value < 0.0 { -size } else { size }, unit)
+    }
+
     /// Adds the friction of a pair to the loads of its links; `lever`: of faces offset from the guide line, the force that has the
     /// moment, N.
-    fn friction_loads(&mut self, bearing: &Bearing, force: f64, lever: f64) {
+    fn friction_loads(&mut self, bearing: &Bearing, (force, pressing): (f64, f64), lever: f64) {
         let mechanism = &self.linkage.mechanism;
         let of = Text::from(mechanism.pair_name(bearing.pair));
-        let tag = Symbol::from(of.clone()).of(self.sheet.body_name(bearing.link));
         if force == 0.0 {
             return;
         }
+        let size = self.friction_of(bearing, &of, (force, pressing));
         if !bearing.slides() {
-            let symbol = Symbol::from("M").of("f").of(tag);
-            let moment = self.sheet.given(symbol, force, "N·m", text!("working-friction-of", pair = of));
+            let moment = size;
             self.turn(bearing.link, moment.clone());
             self.turn(bearing.on, -moment);
             return;
         }
         let PairId::Slide(slide) = bearing.pair else { return };
         let place = self.bodies[bearing.link].point(mechanism.slides[slide].point);
-        let what = text!("working-friction-of", pair = of.clone());
-        let size = self.sheet.given(Symbol::from("F").of("f").of(tag), force, "N", what);
         let [c, s] = bearing.along(self.bodies);
         let along = [("c", c), ("s", s)].map(|(letter, part)| match part {
             // Along an axis one of them is zero but for the rounding of the angle.

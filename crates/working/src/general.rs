@@ -3,6 +3,7 @@
 //! The solution is given; each equation shows its two sides with the solution put in.
 
 use assur_force::{UnitBalance, drive_of_pair};
+use assur_group::plane::{length, minus};
 use assur_group::{Pair, PairGeometry, Wrench};
 use assur_words::{Text, text};
 use assur_worksheet::dyad::{across, along};
@@ -83,8 +84,10 @@ impl Work<'_> {
     /// Writes PF0, PF1, PF2 of a place as a point of a body.
     fn side(&mut self, body: usize, at: [f64; 2], place: [f64; 2]) -> [[Expr; 2]; 3] {
         let name = self.sheet.place_name(body, at).of(self.sheet.body_name(body));
-        if self.sheet.pose(body).is_none() {
-            return self.sheet.point(body, at).pf;
+        let Some(pose) = self.sheet.pose(body) else { return self.sheet.point(body, at).pf };
+        // The place whose motion is given as the solution is not written again.
+        if length(minus(at, pose.at)) == 0.0 {
+            return pose.base.pf.clone();
         }
         let place = [0, 1].map(|i| {
             let symbol = Symbol::from(["x", "y"][i]).of(0).of(&name);

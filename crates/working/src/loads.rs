@@ -2,7 +2,7 @@
 
 use assur_force::{Cause, Loads};
 use assur_group::{Wrench, plane::direction};
-use assur_mechanism::{Contact, Direction, Force, GROUND, Inertia, LinkId, LoadKind, Place, Spring};
+use assur_mechanism::{Brake, Contact, Direction, Force, GROUND, Inertia, LinkId, LoadKind, Place, Spring};
 use assur_words::{Text, name, text};
 use assur_worksheet::{Expr, Point, Symbol, WorkedLoad};
 
@@ -43,10 +43,17 @@ impl Work<'_> {
             self.sheet.note(text!("working-load-of", load = &name));
             match cause {
                 Cause::Weight(link) => self.weight(link),
-                Cause::Inertia(link) => self.inertia(link),
+                Cause::Inertia(link) => {
+                    let before = self.written();
+                    self.inertia(link);
+                    if self.written() == before {
+                        self.sheet.note(text!("working-none-here"));
+                    }
+                }
                 Cause::Load(id) => match &mechanism.loads[id].kind {
                     LoadKind::Force(force) => self.point_force(&name, force, &wrench),
-                    LoadKind::Moment(_) | LoadKind::Brake(_) => self.moment(&name, link, wrench.m),
+                    LoadKind::Moment(_) => self.moment(&name, link, wrench.m),
+                    LoadKind::Brake(brake) => self.brake(&name, brake, wrench.m),
                     LoadKind::Spring(spring) => self.spring(&name, spring),
                     LoadKind::Contact(contact) => {
                         self.contact(&name, contact, loads.contact(id, &self.state), &wrench);
@@ -58,6 +65,11 @@ impl Work<'_> {
         if !reduced {
             self.equation_of_motion();
         }
+    }
+
+    /// How many entries the last section has.
+    fn written(&self) -> usize {
+        self.sheet.sections.last().map_or(0, |section| section.entries.len())
     }
 
     /// Applies a moment to a link; the ground bears any.
@@ -183,6 +195,24 @@ impl Work<'_> {
         let what = text!("working-on-link-here", link = self.sheet.body_name(link));
         let moment = self.sheet.given(symbol, value, "N·m", what);
         self.turn(link, moment);
+    }
+
+    /// M = -f k P R against the rotation, from the force P on the lever.
+    fn brake(&mut self, name: &Text, brake: &Brake, moment: f64) {
+        let unit_moment = brake.moment_of_unit_force();
+        let size = moment / unit_moment;
+        if moment == 0.0 || !size.is_finite() {
+            return self.moment(name, brake.link, moment);
+        }
+        let of = |letter: &'static str| Symbol::from(letter).of(name);
+        let f = self.sheet.given(of("f"), brake.friction, "", text!("working-friction"));
+        let k = self.sheet.given(of("k"), brake.lever, "", text!("working-brake-lever"));
+        let p = self.sheet.given(of("P"), size.abs(), "N", text!("working-brake-force"));
+        let r = self.sheet.given(of("R"), brake.radius, "m", text!("working-radius"));
+        let resisting = f * k * p * r;
+        let signed = if moment < 0.0 { -resisting } else { resisting };
+        let moment = self.sheet.work(of("M"), &signed, "N·m");
+        self.turn(brake.link, moment);
     }
 
     fn spring(&mut self, name: &Text, spring: &Spring) {

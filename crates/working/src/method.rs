@@ -52,7 +52,7 @@ impl Work<'_> {
             Ok(found) if !self.sheet.is_unfit() => self.proof(plugin.analyzer, &found),
             found => {
                 self.sheet = before;
-                self.sheet.section(text!("working-by-method", method = name(plugin.analyzer)));
+                self.sheet.section(text!("working-by-method", method = wording(plugin.analyzer)));
                 self.sheet.note(found.err().unwrap_or_else(|| text!("working-no-method")));
             }
         }
@@ -61,7 +61,7 @@ impl Work<'_> {
 
     /// What the method found, less what the groups gave: zero but for rounding.
     fn proof(&mut self, analyzer: &'static str, found: &FoundForces) {
-        self.sheet.section(text!("working-method-and-groups", method = name(analyzer)));
+        self.sheet.section(text!("working-method-and-groups", method = wording(analyzer)));
         self.sheet.note(text!("working-differences"));
         for (pair, on, force) in &found.reactions {
             let known = self.sheet.reactions().iter().find(|known| known.pair == *pair).cloned();
@@ -77,4 +77,12 @@ impl Work<'_> {
         let symbol = balancing(if self.linkage.kind().is_angle() { "ΔM" } else { "ΔF" });
         self.sheet.work(symbol, &(&found.balancing - known), self.sheet.units.moment);
     }
+}
+
+/// How an analyzer finds forces, in words; its name where it is not registered.
+fn wording(analyzer: &'static str) -> Text {
+    let all = assur_force::analyzers().unwrap_or_default();
+    all.iter()
+        .find(|plugin| plugin.name == analyzer)
+        .map_or_else(|| name(analyzer), |own| own.wording.clone())
 }

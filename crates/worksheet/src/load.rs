@@ -128,7 +128,7 @@ impl Sheet {
             }
             sum = sum + &load.moment * rate;
         }
-        let symbol = Symbol::from("W").of(self.body_name(body));
+        let symbol = Symbol::from("P").of(self.body_name(body));
         self.work_unless_zero(symbol, &sum, self.units.moment)
     }
 }

@@ -88,10 +88,27 @@ fn given(mechanism: &Mechanism, load: &LoadKind) -> (Text, Text) {
                 "given-contact",
                 link = link(contact.center.link),
                 radius = Unit::LENGTH.show(contact.radius),
+                center = place_name(mechanism, contact.center),
+                angle = angle_law(mechanism, &contact.angle),
                 friction = Unit::NONE.number(contact.friction)
             );
             (what, law(&contact.force, Unit::FORCE.name))
         }
+    }
+}
+
+/// The point at a place of a link by its name, or the place in the frame of the link.
+fn place_name(mechanism: &Mechanism, at: Place) -> Text {
+    let is_there = |id: usize| mechanism.place_in(id, at.link) == Some(at.at);
+    let point = (0..mechanism.points.len()).find(|id| is_there(*id));
+    point.map_or_else(|| Unit::LENGTH.show_all(&at.at), |id| Text::from(&mechanism.points[id].name))
+}
+
+/// An angle, or the law by which it varies, rad.
+fn angle_law(mechanism: &Mechanism, angle: &Value) -> Text {
+    match angle {
+        Value::Constant(angle) => Unit::ANGLE.show(*angle),
+        law_of => law(mechanism, law_of, "rad"),
     }
 }
 
