@@ -114,7 +114,7 @@ fn loads(context: &Context<'_>) -> Figure {
 /// The polygon of each group in the chosen positions beside each other, with a table of its vectors.
 fn polygons(context: &Context<'_>, page: &mut Document) {
     let (results, found) = (context.results, context.found);
-    let mut is_first = true;
+    let (mut is_first, mut is_first_inner) = (true, true);
     for (polygon, links) in polygons::bodies(results).iter().enumerate() {
         let vectors = |position: &usize| {
             let all = polygons::vectors(results, *position, polygon, links).into_iter();
@@ -126,9 +126,11 @@ fn polygons(context: &Context<'_>, page: &mut Document) {
         let plan = plan.sheet.as_ref().ok().and_then(|sheet| sheet.polygons.get(polygon));
         let Some(title) = plan.map(|plan| &plan.title).filter(|_| !vectors.is_empty()) else { continue };
         if std::mem::take(&mut is_first) {
-            let has_inner = vectors.iter().any(|(.., item)| item.kind == VectorKind::Inner);
-            let told = if has_inner { "note-forces-polygons-inner" } else { "note-forces-polygons" };
-            page.paragraph(text!(told));
+            page.paragraph(text!("note-forces-polygons"));
+        }
+        let has_inner = vectors.iter().any(|(.., item)| item.kind == VectorKind::Inner);
+        if has_inner && std::mem::take(&mut is_first_inner) {
+            page.paragraph(text!("note-forces-polygons-inner"));
         }
         loaded(context, page, links);
         let caption = text!("note-force-polygon", title, place = context.places());
