@@ -35,7 +35,9 @@ pub(super) fn conclusions(context: &Context<'_>, page: &mut Document) {
     let weak: Vec<Text> = told.chain(motor.map(|warning| Text::from(&warning.text))).collect();
     let id = if weak.is_empty() { "note-concluded-nothing-weak" } else { "note-concluded-weak" };
     page.paragraph(text!(id));
-    weak.into_iter().for_each(|remark| page.paragraph(remark.heading()));
+    for remark in weak {
+        page.paragraph(remark.heading());
+    }
 }
 
 /// A fact in a row of others; that of the checks in words, where each of them has a verdict.

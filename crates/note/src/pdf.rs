@@ -303,7 +303,8 @@ impl<'a> Body<'a> {
     fn told(&mut self, words: &'a Text, figure: &'a Block) {
         let float = Float::new(self.sheet, Some(words), figure);
         let fits = self.pages.waiting.is_empty() && self.pages.fitting(&float).is_some();
-        if fits || !self.pages.headed && !(self.pages.waiting.is_empty() && self.pages.is_short()) {
+        let stays = self.pages.headed || self.pages.waiting.is_empty() && self.pages.is_short();
+        if fits || !stays {
             return self.pages.float(float);
         }
         self.paragraph(words, false);
