@@ -27,7 +27,7 @@ fn is_symbol(word: &str) -> bool {
     // Of a plan: the normal part of the acceleration of C relative to A, a^n_CA, behind its letter.
     let relative = ["n_", "t_", "r_", "c_", "v_", "a_"]
         .iter()
-        .filter_map(|kind| word.trim_start_matches(['o', 'v', 'x']).strip_prefix(kind));
+        .filter_map(|kind| word.trim_matches(['o', 'v', 'x']).strip_prefix(kind));
     let is_relative =
         |points: &str| points.chars().all(|letter| letter.is_ascii_uppercase() || letter.is_ascii_digit());
     letters().count() <= 2

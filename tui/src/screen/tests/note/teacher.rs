@@ -116,9 +116,11 @@ fn no_picture_divides_a_table() {
 
 #[test]
 fn no_chapter_begins_before_the_pictures_of_another_but_on_a_page_that_would_be_empty() {
-    /// Size of the heading of a chapter, and where a page is full enough to end before it, mm.
+    /// Size of the heading of a chapter, how far its line stands below what is above, and where that is low enough for the end of a page,
+    /// mm.
     const HEADING: f64 = 4.8;
-    const FULL: f64 = 22.0 + 0.7 * 253.0;
+    const BELOW: f64 = 2.2 + 1.45 * HEADING;
+    const FULL: f64 = 22.0 + 0.69 * 253.0 + BELOW;
     for scene in SCENES {
         let results = results(scene);
         let html = without_pictures(&html(&results, "en"));
