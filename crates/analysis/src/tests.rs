@@ -8,6 +8,7 @@ use assur_mechanism::{LinkId, PairId};
 
 use crate::{AnalysisError, Calculation, Coverage, Options, unwatched};
 
+mod driven;
 mod energies;
 mod forces;
 mod friction;
